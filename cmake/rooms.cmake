@@ -42,7 +42,7 @@ set(genu_appraise_uses core scene contact model equilibrium path motion results 
 set(genu_study_uses core atlas law scene osim mesh surface mesh_files mesh_care shape_fit contact model equilibrium path motion
     results assemble landmarks store appraise)
 set(genu_calibrate_uses core law scene mesh_files contact model equilibrium path motion results assemble study)
-set(genu_sweep_uses core scene model results assemble store appraise study)
+set(genu_sweep_uses core scene surface model results assemble store appraise study)
 set(genu_api_uses core law scene mesh mesh_files mesh_care model motion results assemble store study)
 
 # genu_room(NAME [LIBRARIES ...] [PRIVATE ...]): the static library genu_NAME from src/genu/NAME/*.cpp. LIBRARIES are

@@ -29,6 +29,18 @@ TEST(TextPlaces, WhatIsNoNameInQuotesStays) {
   EXPECT_EQ(places.text(), "a = \"\"\"ACL\"\"\"\nb = 'PCL'\nc = \"ACL\"\n");
 }
 
+TEST(TextPlaces, TextsAndListsAreReplacedWhole) {
+  TextPlaces places(
+      "a = \"x\\\"y\" # a\nb = [ \"p]\", # ]\n  ['q'], 2 ] # b\nc = 'z'\nd = 3\ne = \"\"\"\nf\"\"\"\ng = [1,");
+  EXPECT_TRUE(places.text_or_list({1, 5}, "'A'"));
+  EXPECT_TRUE(places.text_or_list({2, 5}, "[]"));
+  EXPECT_TRUE(places.text_or_list({4, 5}, "\"C\""));
+  EXPECT_FALSE(places.text_or_list({5, 5}, "0")) << "a number";
+  EXPECT_FALSE(places.text_or_list({6, 5}, "0")) << "three quotes";
+  EXPECT_FALSE(places.text_or_list({8, 5}, "0")) << "no end";
+  EXPECT_EQ(places.text(), "a = 'A' # a\nb = [] # b\nc = \"C\"\nd = 3\ne = \"\"\"\nf\"\"\"\ng = [1,");
+}
+
 TEST(TextPlaces, LinesGoBelowAHeaderAlsoInTheLastLine) {
   TextPlaces places("[a]\nx = 1\n  [b]");
   EXPECT_TRUE(places.line_below({1, 2}, "y = 2"));

@@ -9,6 +9,7 @@
 #include "genu/core/file_checksum.h"
 #include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
+#include "support/meshed_ball.h"
 #include "support/text.h"
 #include "sweep/ball.h"
 
@@ -43,6 +44,24 @@ TEST(RunShard, GivesTheSameBytesForAnyThreadsAndShards) {
     for (const std::string& file : kMerged)
       EXPECT_EQ(test::read_file(folder / ("one/" + file)), test::read_file(other + "/" + file)) << file << count;
   }
+}
+
+TEST(RunShard, GivesTheSameBytesWhereMeshesErr) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::meshed_ball_study(folder, "samples = 9\ntables = [3, \"not_solved\"]\n"));
+  test::ran(s, folder / "one", {}, 1);
+  test::merge(folder / "one");
+  for (const std::uint64_t count : {1u, 4u}) {
+    const std::string other = folder / ("n" + std::to_string(count));
+    for (std::uint64_t k = count; k > 0; --k) test::ran(s, other, {k, count}, 2);
+    test::merge(other);
+    for (const std::string& file : kMerged)
+      EXPECT_EQ(test::read_file(folder / ("one/" + file)), test::read_file(other + "/" + file)) << file << count;
+    EXPECT_EQ(test::read_file(folder / "one/tables.csv"), test::read_file(other + "/tables.csv"));
+  }
+  // What names a random field is no amount: it has no rank.
+  const std::string ranks = test::read_file(folder / "one/ranks.csv");
+  EXPECT_TRUE(test::contains(ranks, "ball,as_is,j.z_mm@0,skin.mesh_error,9,,,\n")) << ranks;
 }
 
 TEST(RunShard, ContinuesWithWhatIsFinished) {
@@ -136,33 +155,6 @@ TEST(ClaimFolder, IsOfOneStudyAlone) {
     for (std::thread& one : all) one.join();
     EXPECT_EQ(claims, 1);
   }
-}
-
-TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {
-  const test::TemporaryFolder folder;
-  const Sweep s = test::ready_sweep(study_of(folder));
-  for (const std::uint64_t k : {1u, 2u, 6u}) test::ran(s, folder / "o", {k, 9});
-  Diagnostics out;
-  const auto record = read_record(folder / "o", out);
-  ASSERT_TRUE(record);
-  EXPECT_EQ(as_array_list(missing_shards(folder / "o", *record, out)), "3-5,7-9");
-  EXPECT_TRUE(out.items().empty());
-  const std::string path = shard_path(folder / "o", {2, 9}), whole = test::read_file(path);
-  folder.write("o/shard-2-of-9.csv", whole.substr(0, whole.size() / 2));
-  EXPECT_EQ(as_array_list(missing_shards(folder / "o", *record, out)), "2-5,7-9");
-  EXPECT_TRUE(test::contains(test::messages(out), "shard-2-of-9.csv: warning: is cut short")) << test::messages(out);
-  Diagnostics merging;
-  std::string text;
-  EXPECT_EQ(merge_sweep(folder / "o", merging, text), kExitRefused);
-  EXPECT_TRUE(test::contains(test::messages(merging), "lacks 6 of 9 shards: 3-5,7-9")) << test::messages(merging);
-  Diagnostics again;
-  SweepOptions options;
-  options.shard = {2, 9};
-  SweepOutcome outcome;
-  EXPECT_EQ(run_shard(s, folder / "o", options, again, outcome), kExitOk);
-  EXPECT_TRUE(test::contains(test::messages(again), "shard-2-of-9.csv: warning: is cut short: it is computed again"));
-  EXPECT_EQ(outcome.earlier, 0u);
-  EXPECT_EQ(test::read_file(path), whole);
 }
 
 TEST(MergeSweep, SaysThatShardsAreOfDifferentPrograms) {

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/mesh_care/noise_field.h"
 #include "genu/study/run_motion.h"
 #include "genu/sweep/statistics.h"
+#include "support/meshed_ball.h"
 #include "support/text.h"
 #include "sweep/ball.h"
 
@@ -41,6 +43,48 @@ TEST(SolveSample, MeanAndVarianceAreThoseOfTheClosedForm) {
   for (const double v : z) fourth += std::pow(v - m.mean, 4) / n;
   EXPECT_NEAR(m.mean, mean, 4 * std::sqrt(variance / n));
   EXPECT_NEAR(m.sd * m.sd, variance, 4 * std::sqrt((fourth - variance * variance) / n));
+}
+
+TEST(SolveSample, OfAMeshThatErrsHasTheHeightOfItsField) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::meshed_ball_study(folder, "samples = 48\n"));
+  const auto as_it_is =
+      test::ready_sweep(test::meshed_ball_study(folder, "samples = 1\n", "{ sd = 1e-9, correlation_length = 15 }"));
+  const double z0 = solve_sample(as_it_is, as_it_is.cases[0], 0, {})->kept[0];
+  EXPECT_NEAR(z0, 20, 2e-3);  // what the fit makes of triangles of 2 mm
+  std::vector<double> z;
+  double off = 0;
+  for (std::uint64_t i = 0; i < s.design.samples(); ++i) {
+    const auto r = solve_sample(s, s.cases[0], i, {});
+    ASSERT_TRUE(r);
+    EXPECT_EQ(r->verdict, "solved") << r->reason;
+    z.push_back(r->kept[0]);
+    const Vec3 bottom(0, 0, -test::kBallRadius);
+    off = std::max(off,
+                   std::abs(z.back() - z0 -
+                            1e3 * noise_field({bottom}, {20e-6, 15e-3}, static_cast<std::uint64_t>(r->draws[0]))[0]));
+  }
+  EXPECT_LT(off, 2e-3);  // mm, of 0.02: the lowest point is beside the bottom, and the fit smooths
+  // Its spread is that of the error itself: four standard errors of a standard deviation are 41 %.
+  EXPECT_NEAR(moments(z).sd, 0.02, 4 * 0.02 / std::sqrt(2 * 48.0));
+  EXPECT_NEAR(moments(z).mean, z0, 4 * 0.02 / std::sqrt(48.0));
+}
+
+TEST(SolveSample, OfAMeshThatErrsDependsOnSeedAndNumberAlone) {
+  const test::TemporaryFolder folder;
+  const auto draws = [&](const std::string& head) {
+    return test::ready_sweep(test::meshed_ball_study(folder, head)).design.draws(4)[0];
+  };
+  const double draw = draws("samples = 5\n");
+  EXPECT_EQ(draw, std::floor(draw));
+  EXPECT_EQ(draws("samples = 5000\n"), draw);
+  EXPECT_EQ(draws("samples = 64\ndesign = \"sobol\"\n"), draw);
+  EXPECT_EQ(draws("samples = 64\ndesign = \"latin_hypercube\"\n"), draw);
+  EXPECT_NE(draws("samples = 5\nseed = 2\n"), draw);
+  // Sobol indices: A, B and AB of a block; with one factor AB is B.
+  const Sweep blocks = test::ready_sweep(test::meshed_ball_study(folder, "samples = 5\nindices = true\n"));
+  EXPECT_NE(blocks.design.draws(3)[0], blocks.design.draws(4)[0]);
+  EXPECT_EQ(blocks.design.draws(5)[0], blocks.design.draws(4)[0]);
 }
 
 TEST(SolveSample, EqualsANormalRunOfItsScene) {

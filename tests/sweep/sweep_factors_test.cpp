@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/meshed_ball.h"
 #include "support/text.h"
 #include "sweep/ball.h"
 
@@ -46,6 +47,40 @@ TEST(FindFactors, KnowsTheGroupOfEveryNumber) {
   Diagnostics out;
   EXPECT_FALSE(prepare_sweep(study, out));
   EXPECT_TRUE(test::contains(test::messages(out), "is no number of this scene")) << test::messages(out);
+}
+
+TEST(FindFactors, RefusesErrorsOfNoMesh) {
+  const test::TemporaryFolder folder;
+  const auto refused = [&](const std::string& error, const std::string& head = "samples = 4\n") {
+    Diagnostics out;
+    EXPECT_FALSE(prepare_sweep(test::meshed_ball_study(folder, head, error), out));
+    return test::messages(out);
+  };
+  const std::string good = "{ sd = 0.02, correlation_length = 15 }", at = "study.toml:5:";
+  const auto has = [](const std::string& said, const std::string& what) {
+    EXPECT_TRUE(test::contains(said, what)) << said;
+  };
+  has(refused("{ sd = 0, correlation_length = 15 }"), at + "28: vary.skin.mesh_error.sd = 0: must be > 0");
+  has(refused("{ sd = 1, correlation_length = -1 }"), "vary.skin.mesh_error.correlation_length = -1: must be >= 0");
+  has(refused("{ correlation_length = 1 }"), "vary.skin.mesh_error.sd");
+  has(refused("{ normal = 1, sd = 1, correlation_length = 1 }"), "vary.skin.mesh_error.normal");
+  has(refused("{ estimated = true, sd = 1 }"), "vary.skin.mesh_error.sd = 1: excludes `estimated`");
+  has(refused("{ estimated = true }"), "sees no error in the mesh of skin: give sd and correlation_length");
+  has(refused(good, "design = \"factorial\"\n"), "vary.skin.mesh_error: has no levels");
+  has(refused(good + "\n\"skim.mesh_error\" = " + good),
+      "study.toml:6:1: vary.skim.mesh_error = \"skim.mesh_error\": is no mesh of this scene; did you mean "
+      "\"skin.mesh_error\"?");
+  has(refused(good + "\n\"floor.mesh_error\" = " + good), "\"floor.mesh_error\": is no mesh of this scene");
+  has(refused(good + "\n\"s*.mesh_error:together\" = " + good),
+      "moves skin.mesh_error, which \"skin.mesh_error\" moves");
+  has(refused(good + "\n\"s*.mesh_error+weight.force.z:together\" = " + good), "names meshes and numbers");
+  has(refused(good + "\n\"weight.force.z\" = { normal = -50, sd = 1 }\n[correlation]\nfactors = [\"skin.mesh_error\", "
+                     "\"weight.force.z\"]\nmatrix = [[1, 0], [0, 1]]"),
+      "\"skin.mesh_error\": is no amount that could correlate");
+  Diagnostics out;
+  EXPECT_FALSE(
+      prepare_sweep(test::ball_study(folder, "samples = 4\n", "[vary]\n\"skin.mesh_error\" = " + good + "\n"), out));
+  has(test::messages(out), "\"skin.mesh_error\": names a mesh, and this scene has none");
 }
 
 TEST(FindFactors, RefusesWhatNamesNothing) {

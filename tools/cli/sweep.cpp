@@ -28,7 +28,9 @@
 #include "genu/study/run_scene.h"
 #include "genu/sweep/batch_files.h"
 #include "genu/sweep/merge_sweep.h"
+#include "genu/sweep/missing_shards.h"
 #include "genu/sweep/run_sweep.h"
+#include "genu/sweep/write_sample.h"
 #include "progress.h"
 
 namespace genu::cli {
@@ -64,11 +66,13 @@ int merge(const std::string& folder, bool quiet) {
   if (code != kOk) return code;
   std::stringstream lines(quiet ? std::string() : text);
   for (std::string line; std::getline(lines, line);) fmt::print("{}\n", printable(line));
-  const bool indices = std::filesystem::exists(std::filesystem::path(folder) / "indices.csv");
+  const auto also = [&](const char* name) {
+    return std::filesystem::exists(std::filesystem::path(folder) / name) ? std::string(name) + ", " : std::string();
+  };
   fmt::print(
-      "  {:<12}{}/samples.csv, samples.npz, statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, "
+      "  {:<12}{}/samples.csv, samples.npz, {}statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, "
       "report.html\n",
-      "written", folder, indices ? "indices.csv, " : "");
+      "written", folder, also("tables.csv"), also("indices.csv"));
   return code;
 }
 
@@ -157,14 +161,17 @@ int run_sample(const SweepArguments& arguments, const Sweep& sweep) {
   options.cancelled = options.path.newton.cancelled = stop_on_interrupt();
   Solution found;
   const auto sample = static_cast<std::uint64_t>(*arguments.sample);
-  const int code = run_scene(source_of_sample(sweep, *in, sample), arguments.folder, options, out, &found);
+  const auto source = write_sample(sweep, *in, sample, arguments.folder, out);
+  if (!source) return refuse(out);
+  const int code = run_scene(*source, arguments.folder, options, out, &found);
   print(out, code != kRefused);
   if (code == kRefused) return code;
   if (code == kNotAllOk)
     advice().next("the verdict above says where the sample ends and why; its rows before are valid");
   for (const std::string& sentence : found.summary.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &found.summary.verdict.front() ? "verdict" : "", printable(sentence));
-  fmt::print("  {:<12}{}\n", "written", found.folder);
+  const std::string own = source->path == in->source.path ? std::string() : ", " + source->path;
+  fmt::print("  {:<12}{}{}\n", "written", found.folder, own);
   return code;
 }
 

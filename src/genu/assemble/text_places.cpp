@@ -40,6 +40,36 @@ bool TextPlaces::word(const SourceLocation& where, const std::string& name, cons
   return true;
 }
 
+std::size_t TextPlaces::end_of_text(std::size_t first) const {
+  const char quote = text_[first];
+  for (std::size_t k = first + 1; k < text_.size() && text_[k] != '\n'; ++k) {
+    if (text_[k] == quote) return k + 1;
+    if (text_[k] == '\\' && quote == '"') ++k;
+  }
+  return std::string::npos;
+}
+
+bool TextPlaces::text_or_list(const SourceLocation& where, const std::string& with) {
+  const std::size_t first = offset(where);
+  const auto is_quote = [&](std::size_t k) { return k < text_.size() && (text_[k] == '"' || text_[k] == '\''); };
+  const bool list = first < text_.size() && text_[first] == '[';
+  if (!list && (!is_quote(first) || (is_quote(first + 1) && is_quote(first + 2)))) return false;
+  std::size_t k = list ? first + 1 : end_of_text(first);
+  for (int depth = list ? 1 : 0; depth > 0 && k < text_.size();) {
+    if (is_quote(k)) {
+      k = end_of_text(k);
+      continue;
+    }
+    if (text_[k] == '#') k = std::min(text_.find('\n', k), text_.size() - 1);
+    depth += text_[k] == '[' ? 1 : text_[k] == ']' ? -1 : 0;
+    ++k;
+    if (depth > 0 && k >= text_.size()) return false;
+  }
+  if (k == std::string::npos) return false;
+  add({first, k, with});
+  return true;
+}
+
 bool TextPlaces::line_below(const SourceLocation& where, const std::string& line) {
   const auto k = static_cast<std::size_t>(where.line);
   const std::size_t first = text_.find_first_not_of(" \t", starts_[k - 1]);

@@ -194,6 +194,11 @@ void MeshLibrary::put(const std::string& name, const Mesh& mesh) {
   entries_.insert_or_assign(name, std::move(e));
 }
 
+void MeshLibrary::drop(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  entries_.erase(name);
+}
+
 std::optional<Mesh> MeshLibrary::read(const PieceFiles& files, double metres_per_unit, Diagnostics& out,
                                       MeshFileFacts* facts) {
   if (files.several()) return join(files, metres_per_unit, out, facts);

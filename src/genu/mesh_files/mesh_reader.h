@@ -57,6 +57,9 @@ class MeshLibrary {
   /// From now on read(name) gives this mesh (its coordinates in units of that call), cleaned as a file's would be.
   void put(const std::string& name, const Mesh& mesh);
 
+  /// Frees the mesh of a name that nobody reads at this moment.
+  void drop(const std::string& name);
+
   InputFiles& files() { return *files_; }
 
  private:

@@ -34,6 +34,7 @@ class FinishedRows {
   /// The work is done: removes the file.
   void remove();
 
+  const std::string& belongs_to() const { return belongs_to_; }
   const std::string& problem() const { return problem_; }
   /// Another process computes this shard at this moment.
   bool taken() const { return taken_; }

@@ -1,6 +1,7 @@
 #include "genu/sweep/merge_sweep.h"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "genu/assemble/solution.h"
@@ -9,6 +10,7 @@
 #include "genu/sweep/summary_tables.h"
 #include "genu/sweep/sweep_page.h"
 #include "genu/sweep/sweep_table.h"
+#include "genu/sweep/table_file.h"
 
 namespace genu {
 namespace {
@@ -51,6 +53,9 @@ int merge_sweep(const std::string& folder, Diagnostics& out, std::string& text) 
   };
   const auto sweep = read_sweep_table(folder, add, out);
   if (!sweep) return kExitRefused;
+  std::optional<StagedFile> whole_tables;
+  if (sweep->record.tables) whole_tables.emplace(in / "tables.csv", Durable::yes);
+  if (whole_tables && !merge_tables(folder, sweep->record, *whole_tables, out)) return kExitRefused;
   const SweepTables tables = tables_of(*sweep);
   std::vector<std::pair<std::string, std::string>> files = {
       {"statistics.csv", tables.statistics.to_csv()}, {"events.csv", tables.events.to_csv()},
@@ -58,6 +63,7 @@ int merge_sweep(const std::string& folder, Diagnostics& out, std::string& text) 
       {"summary.json", summary_json(*sweep, tables)}, {"report.html", sweep_page(*sweep, tables)}};
   if (sweep->record.block > 1) files.emplace_back("indices.csv", tables.indices.to_csv());
   std::string error = samples.commit();
+  if (error.empty() && whole_tables) error = whole_tables->commit();
   if (error.empty()) error = write_arrays(in / "samples.npz", *sweep);
   for (const auto& [name, content] : files)
     if (error.empty()) error = write_file_atomically(in / name, content, Durable::yes);

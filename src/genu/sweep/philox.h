@@ -18,7 +18,8 @@ enum class DrawPurpose : std::uint32_t {
   coordinate,  ///< of a sample, or its place in its stratum
   stratum,     ///< permutation of a Latin hypercube
   scramble,    ///< flips of digits of a Sobol point
-  tail         ///< digits of a Sobol point behind its 32nd
+  tail,        ///< digits of a Sobol point behind its 32nd
+  mesh_error   ///< the random field that moves a mesh
 };
 
 /// 64 random bits that depend on these numbers alone.

@@ -66,8 +66,9 @@ struct Bar {
 std::vector<Bar> rank_bars(const SweepTable& sweep, const SweepTables& tables, std::size_t c, std::size_t kept) {
   std::vector<Bar> bars;
   for (std::size_t f = 0; f < sweep.record.factors.size(); ++f)
-    bars.push_back({sweep.record.factors[f], 0,
-                    tables.ranks.number(SweepTables::factor_row(sweep, c, kept, f), "rank_correlation")});
+    if (!sweep.record.is_mesh_error(f))
+      bars.push_back({sweep.record.factors[f], 0,
+                      tables.ranks.number(SweepTables::factor_row(sweep, c, kept, f), "rank_correlation")});
   return bars;
 }
 

@@ -196,6 +196,37 @@ void read_events(ReadContext& context, Section& root, SweepDef& sweep) {
   }
 }
 
+/// tables = "all", "jumped", 17 or an array of such.
+void read_tables(ReadContext& context, const Item& item, SweepDef& sweep) {
+  if (!item) return;
+  std::vector<std::string> known = {"all", "jumped", "solved", "doubtful", "not_solved"};
+  for (const EventDef& event : sweep.events) known.push_back(event.name);
+  const auto add = [&](const Item& one) {
+    if (one.node->kind == TomlNode::Kind::integer) {
+      if (const auto number = read_integer(context, one, 0, kMaxSamples - 1))
+        sweep.tables.samples.push_back({static_cast<std::uint64_t>(*number), one.node->where});
+      return;
+    }
+    if (one.node->kind != TomlNode::Kind::string)
+      return refuse(context, one, Code::wrong_form,
+                    R"(must be "all", a class, "jumped", the name of an event, or the number of a sample)");
+    const std::string& word = one.node->text;
+    if (word == "refused")
+      refuse(context, one, Code::no_effect, "names samples that were not solved at all: they have no table");
+    else if (std::find(known.begin(), known.end(), word) == known.end())
+      refuse(context, one, Code::unknown_name,
+             "is no class and no event of this study" + did_you_mean(word, known) +
+                 R"( ("all", "jumped", "solved", "doubtful", "not_solved", or numbers of samples))");
+    else if (word == "all")
+      sweep.tables.all = true;
+    else
+      sweep.tables.words.push_back({word, one.node->where});
+  };
+  if (item.node->kind != TomlNode::Kind::array) return add(item);
+  for (std::size_t k = 0; k < item.node->children.size(); ++k) add(item.element(k));
+  if (item.node->children.empty()) refuse(context, item, Code::missing_key, "names no sample");
+}
+
 }  // namespace
 
 const char* to_string(DesignKind design) { return kDesigns[static_cast<std::size_t>(design)].c_str(); }
@@ -224,6 +255,7 @@ std::optional<SweepDef> read_sweep(const std::string& path, InputFiles& files, D
   read_what_ifs(context, root, sweep);
   read_keep(context, root, sweep);
   read_events(context, root, sweep);
+  read_tables(context, root.find("tables"), sweep);
   root.finish();
   found.sort();
   for (const Diagnostic& d : found.items()) out.add(d);

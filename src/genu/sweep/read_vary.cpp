@@ -1,5 +1,6 @@
 #include "genu/sweep/read_vary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -78,6 +79,29 @@ void read_values(ReadContext& context, Section& table, VaryDef& vary) {
            fmt::format("must have {} numbers, one for each of `values`", values.node->children.size()));
 }
 
+/// sd and correlation_length, or estimated = true.
+void read_mesh_error(ReadContext& context, Section& table, const SweepDef& sweep, VaryDef& vary) {
+  MeshErrorDef error;
+  const NumberRule any;
+  NumberRule from_0;
+  from_0.at_least = 0;
+  const Item estimated = table.find("estimated");
+  error.estimated = read_bool(context, estimated).value_or(false);
+  const Item sd = error.estimated ? table.find("sd") : table.require("sd"),
+             length = error.estimated ? table.find("correlation_length") : table.require("correlation_length");
+  for (const Item& item : {sd, length})
+    if (error.estimated && item) refuse(context, item, Code::conflict, "excludes `estimated`, which gives it");
+  error.sd = read_number(context, sd, positive(any)).value_or(1);
+  error.correlation_length = read_number(context, length, from_0).value_or(0);
+  if (!is_random(sweep.design))
+    table.error(
+        Code::conflict, "",
+        std::string("has no levels: the error of a mesh needs the design monte_carlo, latin_hypercube or sobol, "
+                    "not ") +
+            to_string(sweep.design));
+  vary.mesh_error = error;
+}
+
 void read_how(ReadContext& context, Section& table, VaryDef& vary) {
   const bool relative = read_bool(context, table.find("relative")).value_or(false);
   const bool add = read_bool(context, table.find("add")).value_or(false);
@@ -86,12 +110,23 @@ void read_how(ReadContext& context, Section& table, VaryDef& vary) {
   vary.how = relative ? VaryDef::How::relative : add ? VaryDef::How::added : VaryDef::How::absolute;
 }
 
-VaryDef read_entry(ReadContext& context, const Item& item, bool from_points) {
+VaryDef read_entry(ReadContext& context, const Item& item, const SweepDef& sweep) {
+  const bool from_points = sweep.design == DesignKind::points;
   VaryDef vary;
   vary.name = item.node->key;
   vary.where = item.node->key_where;
   split_name(context, item, vary);
   if (!is_table(context, item)) return vary;
+  const auto of_mesh = [](const std::string& pattern) { return pattern.ends_with(kMeshError); };
+  if (std::any_of(vary.patterns.begin(), vary.patterns.end(), of_mesh)) {
+    Section table(context, item, "the error of a mesh");
+    read_mesh_error(context, table, sweep, vary);
+    table.finish();
+    if (!std::all_of(vary.patterns.begin(), vary.patterns.end(), of_mesh))
+      context.error(vary.where, Code::conflict, item.path, {},
+                    "names meshes and numbers: give each an entry of its own");
+    return vary;
+  }
   Section table(context, item, "a varied number");
   std::vector<std::string> kinds;
   for (const char* kind : kKinds)
@@ -120,7 +155,7 @@ VaryDef read_entry(ReadContext& context, const Item& item, bool from_points) {
 void read_vary(ReadContext& context, const Item& table, SweepDef& sweep) {
   if (!table || !is_table(context, table)) return;
   for (const TomlNode& child : table.node->children)
-    sweep.vary.push_back(read_entry(context, table.member(child), sweep.design == DesignKind::points));
+    sweep.vary.push_back(read_entry(context, table.member(child), sweep));
 }
 
 std::vector<std::pair<std::string, SourceLocation>> read_texts(ReadContext& context, const Item& item) {

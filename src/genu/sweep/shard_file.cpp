@@ -8,17 +8,14 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/table_text.h"
-#include "genu/core/atomic_output.h"
-#include "genu/core/file_checksum.h"
 #include "genu/core/file_text.h"
 #include "genu/store/input_hash.h"
+#include "genu/sweep/whole_file.h"
 
 namespace genu {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kEnd = "# end ";
 
 std::string as_cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
 
@@ -36,33 +33,6 @@ std::string begin_of_head(const SweepRecord& record, ShardId id) {
 
 std::string cell_of(const std::vector<std::string>& cells, std::size_t k) {
   return k < cells.size() ? cells[k] : std::string();
-}
-
-/// What a shard's file is like, without its rows.
-struct WholeFile {
-  bool whole = false;  ///< ends with the line that every shard ends with
-  std::string head, columns, end;
-  std::uint64_t rows = 0;
-  std::string sum;  ///< of all before the end
-};
-
-WholeFile look_through(std::istream& in) {
-  WholeFile file;
-  RunningChecksum sum;
-  std::uint64_t lines = 0;
-  std::string line;
-  while (std::getline(in, line)) {
-    file.whole = !in.eof() && line.starts_with(kEnd);
-    file.end = line;
-    if (file.whole) continue;  // what follows an end belongs to no shard: then the last line is none
-    if (lines == 0) file.head = line;
-    if (lines == 1) file.columns = line;
-    sum.add(line.append("\n"));
-    ++lines;
-  }
-  file.rows = lines > 2 ? lines - 2 : 0;
-  file.sum = sum.sum().xxh128;
-  return file;
 }
 
 }  // namespace
@@ -94,19 +64,13 @@ std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleR
 
 std::string write_shard(const std::string& folder, const SweepRecord& record, ShardId id,
                         const std::vector<std::string>& rows) {
-  StagedFile file(shard_path(folder, id), Durable::yes);
-  RunningChecksum sum;
-  const auto write = [&](std::string_view text) {
-    sum.add(text);
-    file.write(text);
-  };
-  write(begin_of_head(record, id) + program_hash() + "\n" + column_line(record) + "\n");
+  WholeFileWriter file(shard_path(folder, id));
+  file.write(begin_of_head(record, id) + program_hash() + "\n" + column_line(record) + "\n");
   for (const std::string& row : rows) {
-    write(row);
-    write("\n");
+    file.write(row);
+    file.write("\n");
   }
-  file.write(fmt::format("{}{} {}\n", kEnd, rows.size(), sum.sum().xxh128));
-  return file.commit();
+  return file.commit(rows.size());
 }
 
 std::optional<std::string> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
@@ -120,35 +84,22 @@ std::optional<std::string> read_shard(const std::string& folder, const SweepReco
   std::ifstream in;
   if (fs::is_regular_file(path, ignored)) in.open(path, std::ios::binary);
   if (!in.is_open()) return refuse(Code::no_such_file, "cannot be read");
-  const WholeFile file = look_through(in);
+  std::string columns;
+  const WholeFile file = look_through(in, [&](std::uint64_t number, std::string_view line) {
+    if (number == 1) columns = line;
+  });
   if (!file.whole) return refuse(Code::broken_file, "is cut short");
   const std::string begin = begin_of_head(record, id);
-  if (!file.head.starts_with(begin) || file.columns != column_line(record))
+  if (!file.head.starts_with(begin) || columns != column_line(record))
     return refuse(Code::other_scene, "belongs to another study, or the study has changed");
   const std::uint64_t rows = id.last(record.runs()) - id.first(record.runs());
-  if (file.end != fmt::format("{}{} {}", kEnd, rows, file.sum))
-    return refuse(Code::results_changed, "has changed since it was written");
-  if (file.rows != rows) return refuse(Code::broken_file, "has another number of rows than runs");
+  if (!file.ends_with(rows)) return refuse(Code::results_changed, "has changed since it was written");
+  if (file.lines != rows + 2) return refuse(Code::broken_file, "has another number of rows than runs");
   in.clear();
-  in.seekg(static_cast<std::streamoff>(file.head.size() + file.columns.size() + 2));
+  in.seekg(static_cast<std::streamoff>(file.head.size() + columns.size() + 2));
   std::string row;
   for (std::uint64_t k = 0; k < rows && std::getline(in, row); ++k) each(row);
   return file.head.substr(begin.size());
-}
-
-std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out) {
-  std::vector<std::uint64_t> missing;
-  std::error_code ignored;
-  for (std::uint64_t k = 1; k <= record.shards; ++k) {
-    const ShardId id{k, record.shards};
-    Diagnostics broken;
-    if (fs::exists(shard_path(folder, id), ignored) && read_shard(
-                                                           folder, record, id, [](std::string_view) {}, broken))
-      continue;
-    missing.push_back(k);
-    for (const Diagnostic& d : broken.items()) out.warning(d.code, d.file, d.rule);
-  }
-  return missing;
 }
 
 std::string as_array_list(const std::vector<std::uint64_t>& numbers) {

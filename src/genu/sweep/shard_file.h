@@ -47,9 +47,6 @@ using EachRow = std::function<void(std::string_view row)>;
 [[nodiscard]] std::optional<std::string> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
                                                     const EachRow& each, Diagnostics& out);
 
-/// Shards that are not there or not whole; of the latter a warning in `out`.
-std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out);
-
 /// "3,17-19"
 std::string as_array_list(const std::vector<std::uint64_t>& numbers);
 

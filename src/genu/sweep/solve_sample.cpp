@@ -26,7 +26,11 @@ std::optional<Prepared> scene_with(const Sweep& sweep, const SweepCase& in, std:
                                    const std::vector<double>& draws, Diagnostics& found) {
   if (in.factors.prepares_anew()) {
     auto scene = read_changed_scene(source_of_sample(sweep, in, sample), in.prepared.meshes->files(), found);
-    return scene ? prepare(std::move(*scene), in.prepared.meshes, found) : std::nullopt;
+    if (!scene) return std::nullopt;
+    const auto drawn = draw_meshes(in.prepared, mesh_draws(in, draws), found);
+    if (!drawn) return std::nullopt;
+    const std::string label = fmt::format("sample {} in {}/{}", sample, in.scene, in.what_if);
+    return prepare_with_meshes(std::move(*scene), in.prepared, *drawn, label, found);
   }
   std::vector<NewNumber> numbers;
   for (std::size_t f = 0; f < draws.size(); ++f)
@@ -77,7 +81,7 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
     return;
   }
   const Solved solved = solve_path(prepared, field, options);
-  const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
+  ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
   result.kept = kept_values(sweep.kept, in.main, table, solved.complete());
   count_jumps(in, solved.events, result);
   const std::vector<std::string> doubts = doubts_of(prepared, solved, table);
@@ -89,15 +93,17 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
     result.reason = why_not_solved(in, solved);
   else if (summary.verdict_class != RunSummary::Class::solved)
     result.reason = doubts.empty() ? prepared.facing.front() : doubts.front();
+  if (!sweep.def.tables.empty()) result.table = std::move(table);
 }
 
 void solve_dynamics(const Prepared& prepared, const SweepCase& in, const RunOptions& options, const Sweep& sweep,
                     SampleResult& result) {
-  const Solution found = solve_motion(prepared, options);
+  Solution found = solve_motion(prepared, options);
   const bool complete = found.summary.verdict_class != RunSummary::Class::not_solved;
   result.kept = kept_values(sweep.kept, in.main, found.poses, complete);
   result.verdict = to_string(found.summary.verdict_class);
   result.reason = why_not_solved(found.summary);
+  if (!sweep.def.tables.empty()) result.table = std::move(found.poses);
 }
 
 }  // namespace

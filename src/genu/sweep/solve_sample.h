@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "genu/core/cancelled.h"
+#include "genu/results/result_table.h"
 #include "genu/sweep/sweep.h"
 
 namespace genu {
@@ -18,6 +19,7 @@ struct SampleResult {
   double jump_at = 0;         ///< main coordinate of the first one; NaN: none
   std::vector<double> kept;   ///< of each kept number; NaN: not found
   std::string reason;         ///< of every class but solved
+  std::optional<ResultTable> table{};  ///< results.csv, where the study keeps tables
 };
 
 /// Shares with other samples what their numbers do not change. Empty where it was called off. Depends on the study, the

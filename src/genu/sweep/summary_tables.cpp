@@ -163,7 +163,7 @@ ResultTable rank_table(const SweepTable& sweep) {
       const Ordered values(sweep.independent(sweep.cases[c].kept[k]));
       for (std::size_t f = 0; f < draws.size(); ++f) {
         const std::size_t n = values.order.size();
-        const double rank = rank_correlation(draws[f], values);
+        const double rank = sweep.record.is_mesh_error(f) ? kNoNumber : rank_correlation(draws[f], values);
         set_case(table, sweep, c);
         table.set("number", sweep.record.kept[k].name);
         table.set("factor", sweep.record.factors[f]);

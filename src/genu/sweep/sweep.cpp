@@ -146,6 +146,14 @@ void check_points(const Sweep& sweep, Diagnostics& out) {
   }
 }
 
+/// Samples whose tables are kept exist.
+void check_tables(const Sweep& sweep, Diagnostics& out) {
+  for (const TablesDef::Sample& sample : sweep.def.tables.samples)
+    if (sample.number >= sweep.design.samples())
+      out.add(error_at({sweep.def.file, sample.where}, Code::out_of_range, "tables", fmt::format("{}", sample.number),
+                       fmt::format("is no sample of this study: they are 0 to {}", sweep.design.samples() - 1)));
+}
+
 }  // namespace
 
 std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
@@ -172,6 +180,7 @@ std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
   if (!design) return std::nullopt;
   sweep.design = std::move(*design);
   if (sweep.def.design == DesignKind::points) check_points(sweep, out);
+  check_tables(sweep, out);
   sweep.hash = checksum(hashed).xxh128;
   if (out.has_errors()) return std::nullopt;
   return sweep;
@@ -182,8 +191,18 @@ SceneSource source_of_sample(const Sweep& sweep, const SweepCase& in, std::uint6
   const std::vector<double> draws = sweep.design.draws(sample);
   for (std::size_t f = 0; f < draws.size(); ++f)
     for (const VariedNumber& number : in.factors.numbers[f])
-      source.changes.set.push_back(set_option(number, sweep.def.vary[sweep.factors[f].vary].how, draws[f]));
+      if (number.surface < 0)
+        source.changes.set.push_back(set_option(number, sweep.def.vary[sweep.factors[f].vary].how, draws[f]));
   return source;
+}
+
+std::vector<MeshDraw> mesh_draws(const SweepCase& in, const std::vector<double>& draws) {
+  std::vector<MeshDraw> out;
+  for (std::size_t f = 0; f < draws.size(); ++f)
+    for (const VariedNumber& number : in.factors.numbers[f])
+      if (number.surface >= 0)
+        out.push_back({static_cast<std::size_t>(number.surface), number.noise, static_cast<std::uint64_t>(draws[f])});
+  return out;
 }
 
 }  // namespace genu

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "genu/assemble/drawn_meshes.h"
 #include "genu/assemble/prepare.h"
 #include "genu/core/diagnostics.h"
 #include "genu/sweep/kept_numbers.h"
@@ -42,7 +43,11 @@ struct Sweep {
 /// Reads a study and all its scenes. Empty, with every error in `out`, where anything is wrong.
 [[nodiscard]] std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out);
 
-/// The scene of one sample, as --without and --set change it: a normal run of it has the sample's results.
+/// The scene of one sample, as --without and --set change it: a normal run of it has the sample's results, unless the
+/// sample has other meshes.
 SceneSource source_of_sample(const Sweep& sweep, const SweepCase& in, std::uint64_t sample);
+
+/// The meshes of a sample that are not those of its scene's files.
+std::vector<MeshDraw> mesh_draws(const SweepCase& in, const std::vector<double>& draws);
 
 }  // namespace genu

@@ -15,6 +15,12 @@ namespace genu {
 
 enum class DesignKind { monte_carlo, latin_hypercube, sobol, factorial, fractional_factorial, one_at_a_time, points };
 
+/// The error of a mesh: its vertices' heights about the surface that was measured.
+struct MeshErrorDef {
+  bool estimated = false;                 ///< as genu sees it in the mesh itself (surface/mesh_noise.h)
+  double sd = 0, correlation_length = 0;  ///< in the scene's unit of length
+};
+
 /// An entry of [vary].
 struct VaryDef {
   enum class How {
@@ -27,6 +33,7 @@ struct VaryDef {
   bool together = false;              ///< one draw for all numbers that it names
   How how = How::absolute;
   Distribution distribution;
+  std::optional<MeshErrorDef> mesh_error;  ///< instead of a distribution
   SourceLocation where;
 };
 
@@ -69,6 +76,23 @@ struct EventDef {
   double limit = 0;   ///< in the column's unit
 };
 
+/// The samples of which the whole results.csv is kept.
+struct TablesDef {
+  struct Word {
+    std::string text;  ///< a class, "jumped" or the name of an event
+    SourceLocation where;
+  };
+  struct Sample {
+    std::uint64_t number = 0;
+    SourceLocation where;
+  };
+  bool all = false;
+  std::vector<Word> words;
+  std::vector<Sample> samples;
+
+  bool empty() const { return !all && words.empty() && samples.empty(); }
+};
+
 struct SceneFileDef {
   std::string path;
   SourceLocation where;
@@ -90,7 +114,11 @@ struct SweepDef {
   std::vector<WhatIfDef> what_ifs;  ///< the first: the scene as it is
   std::vector<KeepDef> keep;
   std::vector<EventDef> events;
+  TablesDef tables;
 };
+
+/// How the name of a mesh in [vary] ends, behind that of its surface.
+inline constexpr const char* kMeshError = ".mesh_error";
 
 inline constexpr const char* kAsItIs = "as_is";
 

@@ -12,6 +12,7 @@
 #include "genu/scene/words.h"
 #include "genu/sweep/fraction.h"
 #include "genu/sweep/normal_quantile.h"
+#include "genu/sweep/philox.h"
 #include "genu/sweep/sobol_numbers.h"
 #include "genu/sweep/tolerances.h"
 
@@ -94,6 +95,9 @@ bool find_correlated(const SweepDef& sweep, const std::vector<Factor>& factors, 
                  " (a factor is a number, or an entry of [vary] that ends with :together)");
     else if (std::find(correlated.begin(), correlated.end(), f) != correlated.end())
       refuse(c.places[k], Code::duplicate, with_quotes(c.factors[k]), "is given twice");
+    else if (factors[f].mesh_error)
+      refuse(c.places[k], Code::not_applicable, with_quotes(c.factors[k]),
+             "is no amount that could correlate: meshes that are moved :together err alike");
     correlated.push_back(f);
   }
   if (sweep.indices)
@@ -111,7 +115,10 @@ std::optional<SweepDesign> SweepDesign::make(const SweepDef& sweep, const std::v
   d.kind_ = sweep.design;
   d.seed_ = sweep.seed;
   const std::size_t before = out.count(Diagnostic::Severity::error);
-  for (const Factor& factor : factors) d.distributions_.push_back(sweep.vary[factor.vary].distribution);
+  for (const Factor& factor : factors) {
+    d.distributions_.push_back(sweep.vary[factor.vary].distribution);
+    d.mesh_errors_.push_back(factor.mesh_error);
+  }
   const auto refuse = [&](Code code, const std::string& rule) { out.error(code, sweep.file, rule); };
   const std::uint64_t count = factors.size();
   d.block_ = sweep.indices ? count + 2 : 1;
@@ -157,6 +164,13 @@ double SweepDesign::unit(std::uint64_t sample, std::uint32_t dimension) const {
   return monte_carlo_coordinate(seed_, sample, dimension);
 }
 
+double SweepDesign::draw(std::size_t factor, double unit, std::uint64_t sample, std::uint32_t dimension) const {
+  constexpr int kDropped = 11;  // 53 bits are a double and a decimal number
+  if (mesh_errors_[factor])
+    return static_cast<double>(random_bits(seed_, sample, dimension, DrawPurpose::mesh_error) >> kDropped);
+  return distributions_[factor].quantile(unit);
+}
+
 std::vector<double> SweepDesign::random_draws(std::uint64_t sample) const {
   std::vector<double> u;
   for (std::uint32_t f = 0; f < distributions_.size(); ++f) u.push_back(unit(sample, f));
@@ -167,7 +181,7 @@ std::vector<double> SweepDesign::random_draws(std::uint64_t sample) const {
   for (std::size_t k = 0; k < correlated_.size(); ++k)
     u[correlated_[k]] = inside_unit(normal_probability(z[static_cast<Eigen::Index>(k)]));
   std::vector<double> draws;
-  for (std::size_t f = 0; f < distributions_.size(); ++f) draws.push_back(distributions_[f].quantile(u[f]));
+  for (std::uint32_t f = 0; f < distributions_.size(); ++f) draws.push_back(draw(f, u[f], sample, f));
   return draws;
 }
 
@@ -177,7 +191,8 @@ std::vector<double> SweepDesign::scheme_draws(std::uint64_t sample) const {
   std::vector<double> draws;
   for (std::uint32_t f = 0; f < count; ++f) {
     const bool from_b = member == 1 || member == f + 2;
-    draws.push_back(distributions_[f].quantile(unit(base, from_b ? count + f : f)));
+    const std::uint32_t dimension = from_b ? count + f : f;
+    draws.push_back(draw(f, unit(base, dimension), base, dimension));
   }
   return draws;
 }

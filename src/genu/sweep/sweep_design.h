@@ -29,6 +29,8 @@ class SweepDesign {
 
  private:
   void divide(const SweepDef& sweep, const std::vector<Factor>& factors, Diagnostics& out);
+  /// Of a factor at a coordinate of the unit cube; of a mesh's error a whole number below 2^53.
+  double draw(std::size_t factor, double unit, std::uint64_t sample, std::uint32_t dimension) const;
   double unit(std::uint64_t sample, std::uint32_t dimension) const;
   std::vector<double> random_draws(std::uint64_t sample) const;
   std::vector<double> scheme_draws(std::uint64_t sample) const;
@@ -39,6 +41,7 @@ class SweepDesign {
   DesignKind kind_ = DesignKind::monte_carlo;
   std::uint64_t samples_ = 1, block_ = 1, seed_ = 1;
   std::vector<Distribution> distributions_;  // of each factor
+  std::vector<bool> mesh_errors_;            // of each factor: its draws name random fields
   std::vector<std::vector<double>> levels_;  // of each factor, in a factorial or one-at-a-time design
   std::vector<std::uint32_t> words_;         // of each factor, in a fractional factorial (fraction.h)
   std::vector<std::size_t> correlated_;      // factors

@@ -115,6 +115,47 @@ std::vector<VariedNumber> numbers_of(const SweepDef& sweep, const VaryDef& vary,
   return found;
 }
 
+/// What moves the mesh of a surface; the reason in `out` where nothing is known of it.
+std::optional<MeshNoise> noise_of(const SweepDef& sweep, const VaryDef& vary, const Prepared& scene,
+                                  std::size_t surface, Diagnostics& out) {
+  const double unit = scene.source.length_unit;
+  if (!vary.mesh_error->estimated)
+    return MeshNoise{unit * vary.mesh_error->sd, unit * vary.mesh_error->correlation_length};
+  const auto& blend = scene.notes[surface].blend;
+  if (blend && blend->facts().noise.rms > 0) return blend->facts().noise;
+  out.add(
+      error_at({sweep.file, vary.where}, Code::not_applicable, "vary." + vary.name + ".estimated", "true",
+               blend ? "sees no error in the mesh of " + scene.notes[surface].name + ": give sd and correlation_length"
+                     : "is known of smooth surfaces, and " + scene.notes[surface].name +
+                           " is used as triangles: give sd and correlation_length"));
+  return std::nullopt;
+}
+
+/// The meshes that an entry names. Without any the reason is in `out`.
+std::vector<VariedNumber> meshes_of(const SweepDef& sweep, const VaryDef& vary, const Prepared& scene,
+                                    Diagnostics& out) {
+  std::vector<VariedNumber> found;
+  for (const std::string& pattern : vary.patterns) {
+    bool any = false;
+    std::vector<std::string> known;
+    for (std::size_t k = 0; k < scene.source.surfaces.size(); ++k) {
+      const SurfaceDef& def = scene.source.surfaces[k];
+      if (def.shape != SurfaceDef::Shape::mesh) continue;
+      known.push_back(def.name + kMeshError);
+      if (!matches(pattern, known.back())) continue;
+      any = true;
+      if (const auto noise = noise_of(sweep, vary, scene, k, out))
+        found.push_back({known.back(), std::nullopt, 1, 0, {}, static_cast<int>(k), *noise});
+    }
+    if (any) continue;
+    out.add(error_at({sweep.file, vary.where}, Code::unknown_name, "vary." + vary.name, with_quotes(pattern),
+                     known.empty() ? "names a mesh, and " + scene_words(sweep, scene) + " has none"
+                                   : "is no mesh of " + scene_words(sweep, scene) + did_you_mean(pattern, known) +
+                                         " (the name of a surface and .mesh_error)"));
+  }
+  return found;
+}
+
 template <class F>
 bool any_number(const SceneFactors& scene, const F& f) {
   return std::any_of(scene.numbers.begin(), scene.numbers.end(),
@@ -137,7 +178,8 @@ SceneFactors find_factors(const SweepDef& sweep, const Prepared& scene, const To
   std::map<std::string, std::string> taken;  // number -> entry
   for (std::size_t v = 0; v < sweep.vary.size(); ++v) {
     const VaryDef& vary = sweep.vary[v];
-    std::vector<VariedNumber> found = numbers_of(sweep, vary, numbers, scene, out);
+    std::vector<VariedNumber> found =
+        vary.mesh_error ? meshes_of(sweep, vary, scene, out) : numbers_of(sweep, vary, numbers, scene, out);
     for (const VariedNumber& number : found) {
       check_positive(sweep, number, vary, out);
       const auto [other, added] = taken.emplace(number.name, vary.name);
@@ -146,12 +188,12 @@ SceneFactors find_factors(const SweepDef& sweep, const Prepared& scene, const To
                          "moves " + number.name + ", which " + with_quotes(other->second) + " moves already"));
     }
     if (vary.together) {
-      result.factors.push_back({vary.name, v});
+      result.factors.push_back({vary.name, v, vary.mesh_error.has_value()});
       result.numbers.push_back(std::move(found));
       continue;
     }
     for (VariedNumber& number : found) {
-      result.factors.push_back({number.name, v});
+      result.factors.push_back({number.name, v, vary.mesh_error.has_value()});
       result.numbers.push_back({std::move(number)});
     }
   }
@@ -164,9 +206,16 @@ SceneFactors factors_of_what_if(const SceneFactors& as_it_is, const Prepared& sc
   const Numbers numbers(scene, document);
   for (std::size_t f = 0; f < as_it_is.factors.size(); ++f) {
     result.numbers.emplace_back();
-    for (const VariedNumber& wanted : as_it_is.numbers[f])
+    for (const VariedNumber& wanted : as_it_is.numbers[f]) {
+      for (std::size_t k = 0; wanted.surface >= 0 && k < scene.source.surfaces.size(); ++k)
+        if (scene.source.surfaces[k].name + kMeshError == wanted.name) {
+          result.numbers.back().push_back(wanted);
+          result.numbers.back().back().surface = static_cast<int>(k);  // a body that is left out had others
+        }
       for (const Numbers::Entry& entry : numbers.entries())
-        if (entry.number.name == wanted.name && entry.why_not.empty()) result.numbers.back().push_back(entry.number);
+        if (wanted.surface < 0 && entry.number.name == wanted.name && entry.why_not.empty())
+          result.numbers.back().push_back(entry.number);
+    }
   }
   return result;
 }

@@ -10,23 +10,28 @@
 #include "genu/core/source_location.h"
 #include "genu/model/parameters.h"
 #include "genu/scene/toml_document.h"
+#include "genu/surface/mesh_noise.h"
 #include "genu/sweep/sweep_def.h"
 
 namespace genu {
 
 /// One number of a scene that a factor moves.
 struct VariedNumber {
-  std::string name;  ///< as --set takes it: "AAC.stiffness"
+  std::string name;  ///< as --set takes it: "AAC.stiffness"; "femur.mesh_error"
   /// Empty for a number of a surface or contact: a scene with another one is prepared from its file.
   std::optional<Parameter> parameter;
   double unit = 1;       ///< SI per unit of the file; without a parameter unknown
   double base = 0;       ///< the scene's number in the file's unit; without a parameter unknown
   SourceLocation where;  ///< in the scene's file
+  /// The surface whose mesh a draw moves, and by how much: no number of the file. -1: any other number.
+  int surface = -1;
+  MeshNoise noise{};
 };
 
 struct Factor {
-  std::string name;      ///< the entry's, or that of its only number
-  std::size_t vary = 0;  ///< index into SweepDef::vary
+  std::string name;         ///< the entry's, or that of its only number
+  std::size_t vary = 0;     ///< index into SweepDef::vary
+  bool mesh_error = false;  ///< its draws name random fields (assemble/drawn_meshes.h) and are no amounts
 };
 
 struct SceneFactors {

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int kRecordFormat = 2;
+constexpr int kRecordFormat = 3;
 
 std::string to_json(const SweepRecord& r) {
   ordered_json j = {{"genu_sweep", kRecordFormat},
@@ -33,10 +33,12 @@ std::string to_json(const SweepRecord& r) {
                     {"samples", r.samples},
                     {"block", r.block},
                     {"shards", r.shards},
-                    {"main", r.main}};
+                    {"main", r.main},
+                    {"tables", r.tables}};
   j["cases"] = ordered_json::array();
   for (const auto& c : r.cases) j["cases"].push_back({{"scene", c.scene}, {"what_if", c.what_if}});
   j["factors"] = r.factors;
+  j["mesh_errors"] = r.mesh_errors;
   j["kept"] = ordered_json::array();
   for (const auto& k : r.kept) {
     j["kept"].push_back({{"name", k.name}, {"column", k.column}});
@@ -51,10 +53,11 @@ std::string to_json(const SweepRecord& r) {
 SweepRecord from_json(const ordered_json& j) {
   SweepRecord r;
   r.version = j.at("version"), r.study = j.at("study"), r.title = j.at("title"), r.hash = j.at("hash");
-  r.design = j.at("design"), r.random = j.at("random"), r.main = j.at("main");
+  r.design = j.at("design"), r.random = j.at("random"), r.main = j.at("main"), r.tables = j.at("tables");
   r.seed = j.at("seed"), r.samples = j.at("samples"), r.block = j.at("block"), r.shards = j.at("shards");
   for (const auto& c : j.at("cases")) r.cases.push_back({c.at("scene"), c.at("what_if")});
   for (const auto& f : j.at("factors")) r.factors.push_back(f);
+  for (const auto& f : j.at("mesh_errors")) r.mesh_errors.push_back(f);
   for (const auto& k : j.at("kept"))
     r.kept.push_back({k.at("name"), k.at("column"), k.contains("value"), k.value("value", 0.0)});
   for (const auto& e : j.at("events")) {
@@ -112,11 +115,15 @@ SweepRecord record_of(const Sweep& sweep, std::uint64_t shards) {
   r.block = sweep.design.block();
   r.shards = shards;
   for (const SweepCase& in : sweep.cases) r.cases.push_back({in.scene, in.what_if});
-  for (const Factor& factor : sweep.factors) r.factors.push_back(factor.name);
+  for (const Factor& factor : sweep.factors) {
+    if (factor.mesh_error) r.mesh_errors.push_back(r.factors.size());
+    r.factors.push_back(factor.name);
+  }
   for (const KeptNumber& k : sweep.kept)
     r.kept.push_back({k.name, k.column, k.row == KeepDef::Row::Kind::value, k.value});
   r.events = sweep.events;
   r.main = sweep.cases.front().main.column;
+  r.tables = !sweep.def.tables.empty();
   return r;
 }
 

@@ -2,6 +2,7 @@
 // later needs this file and no scene.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct SweepRecord {
   };
   std::vector<Case> cases;
   std::vector<std::string> factors;
+  std::vector<std::size_t> mesh_errors;  ///< factors whose draws are no amounts (Factor::mesh_error)
   struct Kept {
     std::string name, column;
     bool at_value = false;  ///< at a value of the main coordinate
@@ -30,8 +32,12 @@ struct SweepRecord {
   std::vector<Kept> kept;
   std::vector<SweepEvent> events;  ///< of the study's own
   std::string main;                ///< column of the main coordinate
+  bool tables = false;             ///< whole tables of some samples are kept (table_file.h)
 
   std::uint64_t runs() const { return cases.size() * samples; }
+  bool is_mesh_error(std::size_t factor) const {
+    return std::find(mesh_errors.begin(), mesh_errors.end(), factor) != mesh_errors.end();
+  }
 };
 
 SweepRecord record_of(const Sweep& sweep, std::uint64_t shards);
