@@ -45,7 +45,8 @@ struct BundleName {
     switch (aim) {
       case Aim::anterior:
         return -aims.anterior;
-      case Aim::posterior:  // it still bears most of a drawer where collateral ligaments bear more
+      case Aim::posterior:
+        return aims.posterior;
       case Aim::sideways:
         return aims.sideways;
       case Aim::rotation:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@
 #include "genu/study/new_pieces.h"
 #include "genu/study/new_refusals.h"
 #include "genu/study/new_scene_text.h"
+#include "genu/study/new_trial.h"
 #include "genu/study/new_words.h"
 #include "genu/study/run_scene.h"
 #include "genu/study/tolerances.h"
@@ -86,40 +88,6 @@ void ask_for_flexion(Words& words, int degrees, bool tried_further) {
   words["flexion_note"] =
       tried_further ? fmt::format(": beyond {} deg the trial found no pose; better ligaments lead further", degrees)
                     : "";
-}
-
-/// The reference pose becomes the first one that the trial found.
-void refer_to_balance(Words& words, const Solution& found) {
-  const std::string pose = found.summary.poses_solved > 0 ? balanced_reference(found.poses) : "";
-  if (pose.empty()) return;
-  words["reference"] = pose;
-  words["reference_note"] = "In balance under a twentieth of the load, as the trial found it";
-}
-
-/// Errors name the scene as it will stand in its folder, `name`. The `first` time what is done to the meshes is told.
-std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked, bool first,
-                                Diagnostics& out) {
-  RunOptions options;
-  options.cancelled = asked.cancelled;
-  options.keep_partial = true;
-  Diagnostics warnings;
-  const auto prepared = prepare(file, warnings);
-  std::optional<Solution> found;
-  if (prepared)
-    found = prepared->scene.dynamics ? move_all(*prepared, options, warnings) : solve_all(*prepared, options, warnings);
-  if (found && found->stopped == "interrupted") {
-    out.error(Code::interrupted, {}, "stopped while the scene was tried out: nothing is written");
-    return std::nullopt;
-  }
-  const auto of_meshes = [](const Diagnostic& d) {
-    return d.code == Code::mesh_repaired || d.code == Code::layout || d.code == Code::no_thickness;
-  };
-  for (Diagnostic d : warnings.items())
-    if (d.severity == Diagnostic::Severity::error ? !found : first && of_meshes(d)) {
-      if (d.file == file) d.file = name;
-      out.add(d);
-    }
-  return found;
 }
 
 /// False where one of them is impossible.
@@ -307,17 +275,26 @@ class Settling {
   }
 
   /// Of bones and their cartilage: tests the knee's laxity, and changes ligaments and menisci until it is that of usual
-  /// knees.
+  /// knees, or as near to it as was found.
   void aim() {
+    Composed best = composed_;
+    double least = std::numeric_limits<double>::infinity();
     for (int round = 0; error_.empty() && found() && all_solved(found()->summary.exit_code); ++round) {
       Diagnostics ignored;
       const auto prepared = prepare(staged_, ignored);
       if (!prepared) return;
       const NewKneeLaxity laxity = laxity_of_new(*prepared, asked_.cancelled);
-      tried_.laxity = laxity.text() + text_of(aims_);
-      if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) return;
+      if (laxity.outside() < least) {
+        least = laxity.outside();
+        best = composed_;
+        tried_.laxity = laxity.text() + text_of(aims_);
+      }
+      if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) break;
       for (int again = 0; again < kAimTrials && (settles(kMeniscusRounds) || again == 0); ++again) trial(false);
     }
+    if (!error_.empty() || best.whole() == tried_.text) return;
+    composed_ = std::move(best);
+    trial(false);
   }
 
   const NewScene& asked_;
