@@ -23,6 +23,13 @@ struct CalibrationPrediction {
   MatX derivatives;  ///< exact, values by unknowns, per unit of u; empty where they were not asked for or do not exist
   std::vector<std::vector<Stretch>> stretch;  ///< of each unknown's members
   std::string failed;                         ///< why values are missing
+  /// Where values are empty because some of them do not exist: the others. 0 where `there` is false.
+  struct Part {
+    VecX values;
+    MatX derivatives;
+    std::vector<bool> there;  ///< of each value
+  };
+  Part part = {};
 };
 
 /// A scene that has some members of the unknowns: those with the names that its own parameters have.

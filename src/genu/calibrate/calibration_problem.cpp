@@ -1,5 +1,6 @@
 #include "genu/calibrate/calibration_problem.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
@@ -39,14 +40,17 @@ CalibrationProblem::At CalibrationProblem::at(const VecX& u, bool derivatives) c
   for (std::size_t e = 0; e < experiments_.size(); ++e) {
     if (experiments_[e]->held_out) continue;
     const CalibrationPrediction& p = out.predictions[e];
-    if (p.values.size() == 0) {
-      out.failed = p.failed;
-      return out;
-    }
+    const bool whole = p.values.size() > 0;
+    if (!whole && out.failed.empty()) out.failed = p.failed;
+    const VecX& values = whole ? p.values : p.part.values;
+    const MatX& derivatives_of_values = whole ? p.derivatives : p.part.derivatives;
+    if (values.size() == 0) return out;
     const VecX scales = experiments_[e]->scales();
-    residuals.segment(first, scales.size()) = (p.values - experiments_[e]->wanted()).cwiseQuotient(scales);
-    exact = exact && p.derivatives.size() > 0;
-    if (exact) J.middleRows(first, scales.size()) = scales.cwiseInverse().asDiagonal() * p.derivatives;
+    residuals.segment(first, scales.size()) = (values - experiments_[e]->wanted()).cwiseQuotient(scales);
+    exact = exact && derivatives_of_values.size() > 0;
+    if (exact) J.middleRows(first, scales.size()) = scales.cwiseInverse().asDiagonal() * derivatives_of_values;
+    for (Eigen::Index k = 0; k < scales.size(); ++k)
+      out.there.push_back(whole || p.part.there[static_cast<std::size_t>(k)]);
     first += scales.size();
   }
   for (std::size_t k = 0; k < unknowns_.size(); ++k) {
@@ -56,8 +60,12 @@ CalibrationProblem::At CalibrationProblem::at(const VecX& u, bool derivatives) c
     residuals[first] = (unknown.shown(u[column]) - unknown.prior->mean) / unknown.prior->deviation;
     J(first++, column) = unknown.shown_slope(u[column]) / unknown.prior->deviation;
   }
-  out.residuals = residuals;
-  if (exact) out.derivatives = J;
+  out.there.resize(static_cast<std::size_t>(rows), true);
+  const bool whole = std::find(out.there.begin(), out.there.end(), false) == out.there.end();
+  for (Eigen::Index k = 0; k < rows; ++k)
+    if (!out.there[static_cast<std::size_t>(k)]) residuals[k] = 0, J.row(k).setZero();
+  (whole ? out.residuals : out.some) = residuals;
+  if (exact) (whole ? out.derivatives : out.some_derivatives) = J;
   return out;
 }
 

@@ -28,6 +28,12 @@ class CalibrationProblem {
     MatX derivatives;   ///< of the residuals; empty where an experiment has none that are exact
     std::vector<CalibrationPrediction> predictions;  ///< of all experiments; of those held out none
     std::string failed;
+    /// Where residuals are empty because some values do not exist: the others, 0 where `there` is false.
+    VecX some;
+    MatX some_derivatives;
+    std::vector<bool> there;
+
+    bool is_partial() const { return residuals.size() == 0 && some.size() > 0; }
   };
   At at(const VecX& u, bool derivatives) const;
   /// Exact where all experiments have exact ones, else central differences, side by side on all threads.

@@ -59,12 +59,12 @@ class StartSearcher {
     bool done() const { return converged(fit.stop) && slack.empty(); }
   };
 
-  /// From one start; where that does not end well, again held near it, then with every length so short that it is
-  /// stretched there.
+  /// From one start, held near it at first; where that does not end well, again not held, then with every length so
+  /// short that it is stretched there.
   Found from(int number) const {
     const SolvableStart start = number == 0 ? first_ : solvable_start(problem_, start_of(number));
     const std::string name = std::to_string(number + 1);
-    Found best = made_taut(name, keeping_taut(start.how.empty() ? name : name + ", " + start.how, start.at, false));
+    Found best = made_taut(name, keeping_taut(start.how.empty() ? name : name + ", " + start.how, start.at, true));
     for (const double strain : kTautAgain) {
       if (best.done() || !leaves_something(best.fit.residuals) || asked_to_stop(options_.cancelled)) break;
       if (problem_.has_stated_errors() && best.fit.residuals.size() > 0 &&
@@ -74,8 +74,8 @@ class StartSearcher {
       const VecX u = stretched(start.at, strain);
       if (strain > 0 && u == start.at.u) continue;
       const std::string words = strain > 0 ? fmt::format("{}, all stretched by {:g} %", name, 100 * strain)
-                                           : fmt::format("{}, held near the start", name);
-      Found again = made_taut(name, keeping_taut(words, problem_.at(u, true), true));
+                                           : fmt::format("{}, not held", name);
+      Found again = made_taut(name, keeping_taut(words, problem_.at(u, true), strain > 0));
       std::vector<CalibrationStart> starts = best.starts;
       starts.insert(starts.end(), again.starts.begin(), again.starts.end());
       if (cost(again) < (1 - kWorthATautStart) * cost(best)) {
@@ -188,7 +188,7 @@ class StartSearcher {
     return u;
   }
 
-  /// With `held` it is first held near its start, less and less:
+  /// With `held` slack lengths are first held near their start, less and less:
   ///
   ///   |r(u)|^2 + h |r(u_0)|^2 / n sum_k ((u_k - u_0k) / s_k)^2,   h of kHeldShares
   ///
@@ -200,22 +200,40 @@ class StartSearcher {
     const VecX u = start.u;
     CalibrationProblem::At last = std::move(start);
     bool exact = true;
-    VecX hold;  // of each unknown, 1 / u; empty: free
+    VecX hold;                            // of each unknown, 1 / u; empty: free
+    CalibrationProblem::At whole = last;  // the last point of the fit where all rows exist
+    VecX known = last.residuals;  // at the last point of the fit; of rows that do not exist there as they last were
+    // Rows that do not exist at a trial, as where a curve ends early, neither help nor hinder it: what it changes of
+    // the others decides. Without them the fit would end at the edge of where all exist, which truth may lie behind.
+    const auto with_known = [&](const CalibrationProblem::At& at) {
+      VecX r = at.is_partial() ? at.some : at.residuals;
+      for (Eigen::Index k = 0; at.is_partial() && k < r.size(); ++k)
+        if (!at.there[static_cast<std::size_t>(k)]) r[k] = known[k];
+      return r;
+    };
+    const auto enough_is_there = [&](const CalibrationProblem::At& at) {
+      if (!at.is_partial() || known.size() == 0 || at.some_derivatives.size() == 0) return false;
+      const auto missing = std::count(at.there.begin(), at.there.end(), false);
+      return static_cast<double>(missing) <= kMostMissingRows * static_cast<double>(at.there.size());
+    };
     const auto residuals = [&](const VecX& x) -> std::optional<VecX> {
-      if (last.residuals.size() == 0 || last.u != x) {
+      if (last.u != x || (last.residuals.size() == 0 && !last.is_partial())) {
         CalibrationProblem::At here = problem_.at(x, exact);
         exact = here.derivatives.size() > 0 || here.residuals.size() == 0;
-        if (here.residuals.size() == 0) return std::nullopt;
+        if (here.residuals.size() == 0 && !enough_is_there(here)) return std::nullopt;
         last = std::move(here);
       }
-      VecX all(last.residuals.size() + hold.size());
-      all << last.residuals, hold.cwiseProduct((x - u).head(hold.size()));
+      const VecX own = with_known(last);
+      VecX all(own.size() + hold.size());
+      all << own, hold.cwiseProduct((x - u).head(hold.size()));
       return all;
     };
     // The last residuals asked for may be those of a step that was not taken.
     const auto jacobian = [&](const VecX& x) -> std::optional<MatX> {
       if (last.u != x) last = problem_.at(x, exact);
-      const auto J = problem_.jacobian(last);
+      known = with_known(last);
+      if (!last.is_partial()) whole = last;
+      const auto J = last.is_partial() ? std::optional(last.some_derivatives) : problem_.jacobian(last);
       if (!J || hold.size() == 0) return J;
       MatX all(J->rows() + hold.size(), J->cols());
       all << *J, MatX(hold.asDiagonal());
@@ -225,13 +243,14 @@ class StartSearcher {
     if (!bounded_) how.lower = how.upper = VecX();
     how.noise = derivative_noise(true);
     LeastSquaresProblem problem{residuals, jacobian, options_.cancelled};
-    if (leave) problem.leave = [&](const VecX&) { return leave(last); };
+    if (leave) problem.leave = [&](const VecX&) { return !last.is_partial() && leave(last); };
     // Central differences are worse: where they are needed is known after the first residuals.
     if (last.residuals.size() > 0 && last.derivatives.size() == 0) how.noise = derivative_noise(false), exact = false;
     out.at_start = last;
     VecX from = u;
     int iterations = 0;
     bool leaves = leave && leave(last);
+    held = held && !slack_lengths_.isZero() && last.derivatives.size() > 0;
     for (const double share : kHeldShares) {
       if (!held || leaves || !leaves_something(out.at_start.residuals)) break;
       hold = std::sqrt(share * out.at_start.residuals.squaredNorm() / static_cast<double>(u.size())) * slack_lengths_;
@@ -247,6 +266,12 @@ class StartSearcher {
     out.fit = least_squares(problem, from, how);
     out.fit.iterations += iterations;
     if (out.fit.residuals.size() > 0) out.at_end = last.u == out.fit.x ? last : problem_.at(out.fit.x, exact);
+    if (out.at_end.is_partial()) {  // the scene does not follow the target there
+      out.at_end = whole;
+      out.fit.x = whole.u;
+      out.fit.residuals = whole.residuals;
+      if (converged(out.fit.stop)) out.fit.stop = LeastSquaresStop::no_progress;
+    }
     CalibrationStart row{name, u, out.fit.x, out.fit.stop, out.fit.iterations, 0};
     row.rms = out.fit.residuals.size() > 0
                   ? std::sqrt(out.fit.residuals.squaredNorm() / static_cast<double>(out.fit.residuals.size()))

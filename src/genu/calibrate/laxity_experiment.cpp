@@ -57,8 +57,14 @@ class LaxityExperiment : public CalibrationExperiment {
     out.values = VecX::Zero(static_cast<Eigen::Index>(values_.size()));
     if (derivatives && exact_) out.derivatives = MatX::Zero(out.values.size(), u.size());
     out.stretch = scene_.no_stretch();
-    for (const Part& part : parts) take(part, out);
-    if (!out.failed.empty()) out.values.resize(0);
+    std::vector<bool> there(values_.size(), true);
+    for (const Part& part : parts) take(part, there, out);
+    if (out.failed.empty()) return out;
+    const bool some = std::none_of(parts.begin(), parts.end(), [](const Part& part) { return part.nothing; }) &&
+                      std::find(there.begin(), there.end(), false) != there.end();
+    if (some) out.part = {out.values, out.derivatives, std::move(there)};
+    out.values.resize(0);
+    out.derivatives.resize(0, 0);
     return out;
   }
 
@@ -104,7 +110,9 @@ class LaxityExperiment : public CalibrationExperiment {
     std::vector<State> states;  ///< all poses, for the stretch of ligaments
     const Prepared* at_u = nullptr;
     bool exact = true;
-    std::string failed;
+    bool nothing = false;              ///< no value exists
+    std::vector<std::size_t> missing;  ///< values that do not exist
+    std::string failed;                ///< why
   };
 
   struct Row {
@@ -150,6 +158,7 @@ class LaxityExperiment : public CalibrationExperiment {
     const std::string place = fmt::format("{:.4g} deg", to::kDegree * flexion);
     if (solved.empty() || !solved.back().point.solved()) {
       part.failed = "no neutral pose at " + place;
+      part.nothing = true;
       return part;
     }
     Sensitivity rates(own.scene, own.model);
@@ -158,7 +167,7 @@ class LaxityExperiment : public CalibrationExperiment {
     part.states.push_back(neutral.record.point.pose.state);
     for (std::size_t j = 0; j < own.model.joints.size(); ++j)
       own.model.joints[j].start = part.states.front().coordinates[j];
-    for (std::size_t c = 0; c < target_.curves.size() && part.failed.empty(); ++c) {
+    for (std::size_t c = 0; c < target_.curves.size(); ++c) {
       const LaxityTarget::Curve& curve = target_.curves[c];
       if (curve.flexion != flexion) continue;
       take_row(c, 0, own, u, neutral, neutral, sensitivity, part);
@@ -199,7 +208,7 @@ class LaxityExperiment : public CalibrationExperiment {
     return steps;
   }
 
-  /// One test in one direction.
+  /// One test in one direction. Where it ends early, its rows from there on are missing.
   void follow(std::size_t c, bool positive, Prepared& own, const VecX& u, const Row& neutral, Sensitivity* sensitivity,
               Part& part) const {
     const LaxityTarget::Curve& curve = target_.curves[c];
@@ -207,13 +216,18 @@ class LaxityExperiment : public CalibrationExperiment {
     std::vector<double> loads;
     for (const double f : curve.loads)
       if ((f > 0) == positive) loads.push_back(f);
-    if (loads.empty() || !part.failed.empty()) return;
+    if (loads.empty()) return;
     own.steps = steps_to(loads, curve.flexion, load);
     own.model.meter = std::make_shared<EffectMeter>();
     const std::vector<PoseRecord> solved = poses_of(own);
     for (std::size_t k = 0; k < loads.size(); ++k) {
       const PoseRecord* record = solved.size() == loads.size() + 1 ? &solved[k + 1] : nullptr;
       if (record == nullptr || !record->point.solved() || record->point.branch != solved.front().point.branch) {
+        for (std::size_t v = 0; v < target_.values.size(); ++v)
+          if (target_.values[v].curve == c && std::find(loads.begin() + static_cast<std::ptrdiff_t>(k), loads.end(),
+                                                        target_.values[v].load) != loads.end())
+            part.missing.push_back(v);
+        if (!part.failed.empty()) return;
         part.failed =
             fmt::format("{:.4g} deg, {}: the path ends before {:.4g} {}", to::kDegree * curve.flexion,
                         LaxityTest{curve.kind, 0}.name(), loads.back(), LaxityTest{curve.kind, 0}.load_unit());
@@ -258,11 +272,14 @@ class LaxityExperiment : public CalibrationExperiment {
     }
   }
 
-  void take(const Part& part, CalibrationPrediction& out) const {
+  void take(const Part& part, std::vector<bool>& there, CalibrationPrediction& out) const {
     if (out.failed.empty()) out.failed = part.failed;
+    for (const std::size_t k : part.missing) there[k] = false;
     for (const auto& [k, value] : part.values) {
-      out.values[static_cast<Eigen::Index>(k)] = value;
-      if (!std::isfinite(value) && out.failed.empty()) out.failed = "a value of the target's columns does not exist";
+      out.values[static_cast<Eigen::Index>(k)] = std::isfinite(value) ? value : 0;
+      if (std::isfinite(value)) continue;
+      there[k] = false;
+      if (out.failed.empty()) out.failed = "a value of the target's columns does not exist";
     }
     for (const State& state : part.states) scene_.note_stretch(*part.at_u, state, out);
     if (!part.exact) out.derivatives.resize(0, 0);

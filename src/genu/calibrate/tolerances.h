@@ -46,9 +46,9 @@ inline constexpr int kTautOnTheWay = 2;
 /// first: if too small, starts are refused; if too large, new starts are far off.
 inline constexpr std::array<double, 3> kShorterLengths = {0.02, 0.04, 0.08};
 
-/// [1] After a fit that did not converge: least strains that all ligaments get where they are longest, one held start
-/// after the other. Fails first: if too small, the same ligaments become slack again; if too large, the start is far
-/// off.
+/// [1] After a fit that did not converge: least strains that all ligaments get where they are longest, one start after
+/// the other. 0: the start itself, not held. Fails first: if too small, the same ligaments become slack again; if too
+/// large, the start is far off.
 inline constexpr std::array<double, 3> kTautAgain = {0, 0.03, 0.06};
 
 /// [1] Shares of the sum of squares with which slack lengths are held near their start, one after the other. Fails
@@ -64,6 +64,10 @@ inline constexpr int kHeldIterations = 4;
 
 /// [of the sum of squares] From here on nothing is held any more. Fails first: if too small, slow fits.
 inline constexpr double kHeldEnough = 1e-3;
+
+/// [1] Share of the target's rows that may be missing at a step, as where a curve ends early. Fails first: if too
+/// small, fits end at the edge of where all rows exist; if too large, they wander where few do.
+inline constexpr double kMostMissingRows = 0.25;
 
 /// [1] Steps that creep (core's kCreep), one after the other, after which another start is tried. Fails first: if too
 /// small, fits are given up in curved valleys; if too large, slow fits.
