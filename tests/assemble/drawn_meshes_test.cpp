@@ -32,7 +32,7 @@ TEST(DrawnMeshes, AreMovedAlongTheirNormalsByTheField) {
   const auto drawn = draw_meshes(ball, {{0, kDrawnNoise, 17}}, out);
   ASSERT_TRUE(drawn);
   const Mesh& mesh = (*drawn)[0].mesh;  // mm
-  std::vector<Vec3> own;  // the normals of the mesh are those of the ball, but for its edges
+  std::vector<Vec3> own;                // the normals of the mesh are those of the ball, but for its edges
   for (const Vec3& v : mesh.vertices) own.push_back(test::kBallRadius * v.normalized());
   const std::vector<double> heights = noise_field(own, kDrawnNoise, 17);
   double off = 0, largest = 0;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/surface/analytic.h"
+#include "genu/wrap/taut_string.h"
 
 namespace genu {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "genu/core/diagnostics.h"
-#include "genu/study/new_scene.h"
+#include "genu/study/asked_scene.h"
 #include "genu/study/new_words.h"
 #include "genu/study/run_scene.h"
 

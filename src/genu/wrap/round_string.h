@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-#include "genu/wrap/taut_string.h"
+#include "genu/wrap/geodesic.h"
 
 namespace genu {
 
