@@ -9,6 +9,7 @@
 #include "genu/assemble/changed_scene.h"
 #include "genu/mesh_care/noise_field.h"
 #include "support/meshed_ball.h"
+#include "support/scenes.h"
 #include "support/text.h"
 
 namespace genu {

@@ -17,6 +17,7 @@
 #include "genu/sweep/solve_sample.h"
 #include "genu/sweep/statistics.h"
 #include "support/knee_scene.h"
+#include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
 

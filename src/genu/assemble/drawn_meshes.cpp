@@ -11,6 +11,7 @@
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh_care/noise_field.h"
 #include "genu/mesh_files/mesh_writer.h"
+#include "genu/scene/toml_document.h"
 
 namespace genu {
 namespace {
