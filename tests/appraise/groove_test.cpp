@@ -83,5 +83,16 @@ TEST(Groove, ANotchIsOne) {
   EXPECT_NEAR(there->groove, 0, 2e-3);
 }
 
+/// A plane meets the rear of a femur too, which reaches farther to the sides than its front: no crest of a groove.
+TEST(Groove, TheRearOfTheFemurIsNoPartOfIt) {
+  std::vector<Vec3> femur;
+  for (double z = -0.035; z <= 0.035; z += 0.7e-3)
+    for (double y = -0.02; y <= 0.02; y += 0.7e-3) {
+      femur.push_back({-0.045 + 5 * z * z, y, z});
+      if (std::abs(z) < 0.012) femur.push_back({0.02 + 0.3 * z, y, z});  // higher and higher: no groove
+    }
+  EXPECT_FALSE(patella_across(femur, plate(), flexed(0, 0), kLateral, kAnterior).has_value());
+}
+
 }  // namespace
 }  // namespace genu

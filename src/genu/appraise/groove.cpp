@@ -28,9 +28,10 @@ struct Profile {
   }
 };
 
-/// Of points within half a piece of the plane through `on` with normal `across`.
+/// Of points within half a piece of the plane through `on` with normal `across`. What lies lower than its highest point
+/// by more than `depth` is no surface that a patella glides on: the plane meets the rear of the condyles too.
 Profile cut(const std::vector<Vec3>& points, const Span& span, const Vec3& on, const Vec3& across, const Vec3& lateral,
-            const Vec3& up) {
+            const Vec3& up, double depth) {
   Profile out{span.low, {}};
   out.height.assign(static_cast<std::size_t>(span.width() / kProfilePiece) + 1, kNothing);
   for (const Vec3& p : points) {
@@ -38,6 +39,9 @@ Profile cut(const std::vector<Vec3>& points, const Span& span, const Vec3& on, c
     double& height = out.height[static_cast<std::size_t>((lateral.dot(p) - span.low) / kProfilePiece)];
     height = std::max(height, up.dot(p - on));
   }
+  const double highest = *std::max_element(out.height.begin(), out.height.end());
+  for (double& height : out.height)
+    if (height < highest - depth) height = kNothing;
   return out;
 }
 
@@ -92,7 +96,8 @@ std::optional<PatellaAcross> patella_across(const std::vector<Vec3>& femur, cons
     whole.see(lateral.dot(p));
   }
   for (double away = 0; away <= kGrooveReach; away += kProfilePiece) {
-    const Groove groove = deepest(cut(femur, whole, middle + std::copysign(away, side) * across, across, lateral, up));
+    const Groove groove = deepest(
+        cut(femur, whole, middle + std::copysign(away, side) * across, across, lateral, up, kFrontOfCut * own.width()));
     if (groove.depth < kLeastGroove) continue;
     return PatellaAcross{own.middle(), own.width(), groove.middle, groove.depth};
   }

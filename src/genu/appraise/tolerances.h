@@ -110,6 +110,10 @@ inline constexpr double kSideReach = 0.1;
 /// holes; if too large, the groove is known badly.
 inline constexpr double kProfilePiece = 2e-3;
 
+/// [width of the patella] How deep a cut through the femur is looked at, from its highest point. Fails first: if too
+/// small, deep grooves have no bottom (that counts as one); if too large, the rear of the condyles counts as a crest.
+inline constexpr double kFrontOfCut = 0.5;
+
 /// [m] Depth of a hollow that is a groove. Fails first: if too small, bumps of a mesh are grooves; if too large, flat
 /// trochleas have none.
 inline constexpr double kLeastGroove = 1e-3;
