@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/scene/reader.h"
+#include "support/made_up_experiment.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
@@ -14,7 +15,7 @@ namespace genu {
 namespace {
 
 /// Five rows that depend on two unknowns linearly; the last does not exist where the first unknown is within a band.
-class BandedExperiment : public CalibrationExperiment {
+class BandedExperiment : public test::MadeUpExperiment {
  public:
   BandedExperiment(Vec2 truth, double low, double high) : truth_(std::move(truth)), low_(low), high_(high) {
     columns_ = {{"x_mm", 1, false}};
@@ -35,10 +36,6 @@ class BandedExperiment : public CalibrationExperiment {
     }
     return out;
   }
-  std::vector<std::string> place_columns() const override { return {}; }
-  void set_place(std::size_t, ResultTable&) const override {}
-  std::vector<std::pair<std::string, Chart>> pictures(const VecX&, const VecX&) const override { return {}; }
-  std::string label(std::size_t) const override { return ""; }
 
  private:
   MatX slopes_{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 0.5}};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/scene/reader.h"
+#include "support/made_up_experiment.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
@@ -15,7 +16,7 @@ namespace genu {
 namespace {
 
 /// Has rows where the first unknown is at most a limit.
-class LimitedExperiment : public CalibrationExperiment {
+class LimitedExperiment : public test::MadeUpExperiment {
  public:
   explicit LimitedExperiment(double limit) : limit_(limit) {
     columns_ = {{"x_mm", 1, false}};
@@ -29,10 +30,6 @@ class LimitedExperiment : public CalibrationExperiment {
       out.values = VecX::Constant(1, u[0]), out.derivatives = MatX::Constant(1, u.size(), 1);
     return out;
   }
-  std::vector<std::string> place_columns() const override { return {}; }
-  void set_place(std::size_t, ResultTable&) const override {}
-  std::vector<std::pair<std::string, Chart>> pictures(const VecX&, const VecX&) const override { return {}; }
-  std::string label(std::size_t) const override { return ""; }
 
  private:
   double limit_;

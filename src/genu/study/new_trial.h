@@ -12,7 +12,7 @@
 namespace genu {
 
 /// Solves the scene of a file. Errors name it as it will be called in its folder, `name`. The `first` time what is done
-/// to the meshes is told. Nothing where it is interrupted or cannot be read.
+/// to the meshes goes to `out` too. Nothing where it is interrupted or cannot be read.
 std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked, bool first,
                                 Diagnostics& out);
 
