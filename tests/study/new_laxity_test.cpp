@@ -1,8 +1,5 @@
 #include "genu/study/new_laxity.h"
 
-#include <cmath>
-#include <limits>
-
 #include <gtest/gtest.h>
 
 #include "genu/core/units.h"
@@ -32,7 +29,6 @@ TEST(NewLaxity, EachRangeHasItsRemedy) {
   NewKneeAims aims;
   EXPECT_TRUE(aim_at_ranges(lax, aims));
   EXPECT_GT(aims.sideways, 0);
-  EXPECT_GT(aims.posterior, 0);
   EXPECT_GT(aims.collaterals, 1);
   EXPECT_EQ(aims.menisci, 1) << "stiff menisci hide a cut PCL";
   EXPECT_EQ(aims.anterior, 0);
@@ -45,11 +41,7 @@ TEST(NewLaxity, EachRangeHasItsRemedy) {
   aims = {};
   EXPECT_TRUE(aim_at_ranges(tight, aims));
   EXPECT_GT(aims.anterior, 0);
-  EXPECT_EQ(aims.posterior, 0);
   EXPECT_EQ(aims.menisci, 1);
-  aims.anterior = kMostAim;  // the ACL is as slack as it may be: a taut PCL presses the bones together
-  EXPECT_TRUE(aim_at_ranges(tight, aims));
-  EXPECT_LT(aims.posterior, 0);
 
   NewKneeLaxity stiff = usual_knee();
   stiff.rotation.least = 14 / to::kDegree;
@@ -79,25 +71,9 @@ TEST(NewLaxity, ACurveThatEndsIsALaxKnee) {
 TEST(NewLaxity, WhatWasChangedIsSaid) {
   EXPECT_EQ(text_of({}), "");
   EXPECT_EQ(text_of({.sideways = 0.012, .collaterals = 1.44}),
-            "; for it strain of the collaterals +1.2 %, collaterals 1.44 times as stiff");
-  EXPECT_EQ(text_of({.posterior = -0.008}), "; for it strain of the PCL -0.8 %");
+            "; for it strain of the collaterals and the PCL +1.2 %, collaterals 1.44 times as stiff");
   EXPECT_EQ(text_of({.anterior = 0.008, .rotation = 0.02, .menisci = 0.71}),
             "; for it strain of the ACL -0.8 %, strain of the posterior corners -2.0 %, menisci 0.71 times as stiff");
-}
-
-TEST(NewLaxity, HowFarItIsFromUsual) {
-  EXPECT_EQ(usual_knee().outside(), 0);
-  NewKneeLaxity knee = usual_knee();
-  knee.drawer.least = 0.9 * (kLeastDrawer + kDrawerMargin);
-  EXPECT_NEAR(knee.outside(), 0.1, 1e-12);
-  knee.sideways.most = 1.2 * (kMostSideways - kSidewaysMargin) / to::kDegree;
-  EXPECT_NEAR(knee.outside(), 0.3, 1e-12);
-  knee.complete = 10;
-  EXPECT_NEAR(knee.outside(), 2.3, 1e-12);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const NewKneeLaxity nothing{{infinity, -infinity}, {infinity, -infinity}, {infinity, -infinity}, 0};
-  EXPECT_FALSE(nothing.usual());
-  EXPECT_TRUE(std::isfinite(nothing.outside()));
 }
 
 TEST(NewLaxity, AimsHaveAnEnd) {

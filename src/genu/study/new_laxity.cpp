@@ -41,8 +41,7 @@ std::string text_of(const NewKneeAims& aims) {
     if (changed) out += (out.empty() ? "; for it " : ", ") + words;
   };
   add(aims.anterior != 0, fmt::format("strain of the ACL {:+.1f} %", -100 * aims.anterior));
-  add(aims.posterior != 0, fmt::format("strain of the PCL {:+.1f} %", 100 * aims.posterior));
-  add(aims.sideways != 0, fmt::format("strain of the collaterals {:+.1f} %", 100 * aims.sideways));
+  add(aims.sideways != 0, fmt::format("strain of the collaterals and the PCL {:+.1f} %", 100 * aims.sideways));
   add(aims.rotation != 0, fmt::format("strain of the posterior corners {:+.1f} %", -100 * aims.rotation));
   add(aims.collaterals != 1, fmt::format("collaterals {:.2f} times as stiff", aims.collaterals));
   add(aims.menisci != 1, fmt::format("menisci {:.2f} times as stiff", aims.menisci));
@@ -53,17 +52,6 @@ bool NewKneeLaxity::usual() const {
   return complete == kCurves && drawer.least > kLeastDrawer && drawer.most < kMostDrawer &&
          sideways.least > kLeastSideways / to::kDegree && sideways.most < kMostSideways / to::kDegree &&
          rotation.least > kLeastRotation / to::kDegree && rotation.most < kMostRotation / to::kDegree;
-}
-
-double NewKneeLaxity::outside() const {
-  const auto beyond = [](const Range& range, double unit, double least, double most, double margin) {
-    return std::max(0.0, 1 - range.least * unit / (least + margin)) +
-           std::max(0.0, range.most * unit / (most - margin) - 1);
-  };
-  if (complete == 0) return kCurves;
-  return kCurves - complete + beyond(drawer, 1, kLeastDrawer, kMostDrawer, kDrawerMargin) +
-         beyond(sideways, to::kDegree, kLeastSideways, kMostSideways, kSidewaysMargin) +
-         beyond(rotation, to::kDegree, kLeastRotation, kMostRotation, kRotationMargin);
 }
 
 std::string NewKneeLaxity::text() const {
@@ -98,7 +86,6 @@ NewKneeLaxity laxity_of_new(const Prepared& prepared, const Cancelled& cancelled
 bool aim_at_ranges(const NewKneeLaxity& found, NewKneeAims& aims) {
   const NewKneeAims before = aims;
   const bool stiff = found.rotation.least < (kLeastRotation + kRotationMargin) / to::kDegree;
-  const bool tight = found.drawer.least < kLeastDrawer + kDrawerMargin;
   const bool lax = found.complete < kCurves || found.sideways.most > (kMostSideways - kSidewaysMargin) / to::kDegree;
   if (lax) {
     // Stiff menisci hide a cut PCL: they come last.
@@ -106,18 +93,14 @@ bool aim_at_ranges(const NewKneeLaxity& found, NewKneeAims& aims) {
       aims.menisci = std::min(kMenisciStep * aims.menisci, kStiffestMenisci);
     aims.sideways = std::min(aims.sideways + kSidewaysStep, kMostAim);
     aims.collaterals = std::min(kCollateralStep * aims.collaterals, kStiffestCollaterals);
-    // It still bears most of a drawer where collateral ligaments bear more.
-    if (!tight) aims.posterior = std::min(aims.posterior + kSidewaysStep, kMostAim);
   } else if (stiff && aims.rotation == kMostRotationAim) {
     aims.menisci = std::max(aims.menisci / kMenisciStep, kSoftestMenisci);
   }
   if (stiff) aims.rotation = std::min(aims.rotation + kRotationStep, kMostRotationAim);
-  // A taut PCL presses the bones together, which hold a drawer as much as the ACL does.
-  if (tight && aims.anterior == kMostAim) aims.posterior = std::max(aims.posterior - kAnteriorStep, -kMostAim);
-  if (tight) aims.anterior = std::min(aims.anterior + kAnteriorStep, kMostAim);
+  if (found.drawer.least < kLeastDrawer + kDrawerMargin)
+    aims.anterior = std::min(aims.anterior + kAnteriorStep, kMostAim);
   return aims.menisci != before.menisci || aims.sideways != before.sideways || aims.anterior != before.anterior ||
-         aims.posterior != before.posterior || aims.rotation != before.rotation ||
-         aims.collaterals != before.collaterals;
+         aims.rotation != before.rotation || aims.collaterals != before.collaterals;
 }
 
 }  // namespace genu

@@ -11,8 +11,7 @@ namespace genu {
 /// Changes of what new_ligaments.h and new_menisci.h choose.
 struct NewKneeAims {
   double anterior = 0;     ///< subtracted from the strains at which fibres of the ACL settle
-  double posterior = 0;    ///< added to those of the PCL
-  double sideways = 0;     ///< added to those of the collateral ligaments
+  double sideways = 0;     ///< added to those of the collateral ligaments and of the PCL
   double collaterals = 1;  ///< times their stiffness
   double rotation = 0;     ///< subtracted from those of the posteromedial capsule and the popliteofibular ligament
   double menisci = 1;      ///< times the stiffness of the menisci
@@ -32,9 +31,6 @@ struct NewKneeLaxity {
 
   /// All curves, and each within its range.
   bool usual() const;
-  /// How far it is from what is aimed at, within the ranges by a margin: curves that are not complete, and parts of a
-  /// bound.
-  double outside() const;
   /// For the terminal.
   std::string text() const;
 };

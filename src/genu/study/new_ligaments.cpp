@@ -45,8 +45,7 @@ struct BundleName {
     switch (aim) {
       case Aim::anterior:
         return -aims.anterior;
-      case Aim::posterior:
-        return aims.posterior;
+      case Aim::posterior:  // it still bears most of a drawer where collateral ligaments bear more
       case Aim::sideways:
         return aims.sideways;
       case Aim::rotation:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -275,26 +274,17 @@ class Settling {
   }
 
   /// Of bones and their cartilage: tests the knee's laxity, and changes ligaments and menisci until it is that of usual
-  /// knees, or as near to it as was found.
+  /// knees.
   void aim() {
-    Composed best = composed_;
-    double least = std::numeric_limits<double>::infinity();
     for (int round = 0; error_.empty() && found() && all_solved(found()->summary.exit_code); ++round) {
       Diagnostics ignored;
       const auto prepared = prepare(staged_, ignored);
       if (!prepared) return;
       const NewKneeLaxity laxity = laxity_of_new(*prepared, asked_.cancelled);
-      if (laxity.outside() < least) {
-        least = laxity.outside();
-        best = composed_;
-        tried_.laxity = laxity.text() + text_of(aims_);
-      }
-      if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) break;
+      tried_.laxity = laxity.text() + text_of(aims_);
+      if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) return;
       for (int again = 0; again < kAimTrials && (settles(kMeniscusRounds) || again == 0); ++again) trial(false);
     }
-    if (!error_.empty() || best.whole() == tried_.text) return;
-    composed_ = std::move(best);
-    trial(false);
   }
 
   const NewScene& asked_;
