@@ -52,6 +52,38 @@ TEST(LayerVerdict, FewTrianglesAreTooFew) {
       << said[0];
 }
 
+/// The pieces of a meniscus: one sentence, with the worst of them.
+TEST(LayerVerdict, ManyLayersWithTooFewAreToldAtOnce) {
+  PlacedScene scene;
+  JointModel model;
+  ResultTable table;
+  const std::vector<std::string> names = {"a", "b", "c", "d", "e"};
+  const double points[][5] = {{60, 40, 30, 20, 49}, {70, 45, 10, 0, 49}};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    scene.layers.push_back(scene_with_layer().layers[0]);
+    scene.layers[k].pair.name = names[k];
+    scene.layers[k].cast_from = static_cast<int>(k);
+    scene.surfaces.emplace_back().name = "sheet_" + names[k];
+    model.layers.push_back(model_with_layer().layers[0]);
+    for (const char* column : {".max_depth_mm", ".max_strain", ".points"}) table.add_column(names[k] + column);
+  }
+  for (const auto& row : points) {
+    table.add_row();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      table.set(names[k] + ".max_depth_mm", 0.1);
+      table.set(names[k] + ".max_strain", 0.02);
+      table.set(names[k] + ".points", row[k]);
+    }
+  }
+  const auto said = layer_sentences(scene, model, table);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(
+      said[0].find("too coarse for 4 layers: in up to 2 of 2 rows (b) fewer than 50 triangles of a mesh carry the "
+                   "load (10 of sheet_c in row 2)"),
+      std::string::npos)
+      << said[0];
+}
+
 TEST(LayerVerdict, DeeperThanTheLawOrTheRays) {
   auto said = layer_sentences(scene_with_layer(), model_with_layer(), poses({{5.8, 300}, {0.1, 60}}));
   ASSERT_EQ(said.size(), 1u);

@@ -4,19 +4,11 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "studies/driven_curve.h"
 #include "studies/solved_scene.h"
 
 namespace genu::studies {
-
-/// An angle over time.
-struct DrivenCurve {
-  std::vector<double> time, angle;  ///< s; deg, since the start
-  std::vector<double> harmonics;    ///< deg, of the drive's frequency: 1, 2, 3; over the second period
-  double steepest = 0;              ///< largest rate over that of a sine with the same range
-  bool complete = false;
-};
 
 struct DrivenStudy {
   DrivenCurve ligaments, hinges;

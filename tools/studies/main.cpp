@@ -1,6 +1,7 @@
 // studies MESHES: solves the studies of the knees under MESHES (the project's meshes/) and writes their tables and
 // charts into the knees' folders, and a picture of bones that were made from shapes.
 // studies wrapping MESHES: the study of lenhart2015, whose meshes are not part of the project, alone.
+// studies menisci MESHES: the same of smith2019.
 // studies family MESHES SEEDS: searches the lost numbers of dortmans1984 from so many seeds, some minutes each.
 // studies points DATA OUT: writes the points that the polynomials of wismans1980 are fitted to (tools/refit).
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include "studies/dortmans_study.h"
 #include "studies/driven_study.h"
 #include "studies/laxity_study.h"
+#include "studies/menisci_study.h"
 #include "studies/wrapping_study.h"
 
 namespace {
@@ -67,16 +69,26 @@ int write_wrapping(const std::string& meshes) {
   return study && write(folder, genu::studies::wrapping_files(*study)) ? 0 : 1;
 }
 
+int write_menisci(const std::string& meshes) {
+  genu::Diagnostics problems;
+  const std::string folder = meshes + "/smith2019";
+  const auto study = genu::studies::solve_menisci(folder, meshes + "/leskovar2019", problems);
+  if (const int refused = print_errors(problems)) return refused;
+  return study && write(folder, genu::studies::menisci_files(*study)) ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc == 4 && std::string(argv[1]) == "family") return write_family(argv[2], std::atoi(argv[3]));
   if (argc == 4 && std::string(argv[1]) == "points") return write_points(argv[2], argv[3]);
   if (argc == 3 && std::string(argv[1]) == "wrapping") return write_wrapping(argv[2]);
+  if (argc == 3 && std::string(argv[1]) == "menisci") return write_menisci(argv[2]);
   if (argc != 2) {
     std::fputs(
         "studies MESHES: writes the tables and charts of dortmans1984 and wismans1980, a picture of leskovar2019\n"
         "studies wrapping MESHES: writes the table and chart of lenhart2015, whose meshes it needs\n"
+        "studies menisci MESHES: the same of smith2019\n"
         "studies family MESHES SEEDS: searches the lost numbers of dortmans1984\n"
         "studies points DATA OUT: writes the points that the polynomials of wismans1980 are fitted to\n",
         stderr);

@@ -11,18 +11,25 @@
 namespace genu {
 namespace {
 
-/// "no unknowns; tibiofemoral measured, 1.1 to 8.3 mm thick"
+/// "no unknowns; tibiofemoral measured, 1.1 to 8.3 mm thick; tibiofemoral and 5 more by triangles (...)"
 std::string layer_note(const Prepared& p) {
-  std::string note = "no unknowns";
+  std::string note = "no unknowns", by_triangles;
+  std::size_t more = 0;
   for (std::size_t k = 0; k < p.model.layers.size(); ++k) {
     const JointModel::Layer& layer = p.model.layers[k];
     if (p.scene.layers[k].measured)
       note += fmt::format("; {} measured, {:.2g} to {:.2g} mm thick", layer.name, to::kMillimetre * layer.thinnest,
                           to::kMillimetre * layer.thickest);
-    if (p.scene.layers[k].quadrature == LayerDef::Quadrature::triangles)
-      note +=
-          fmt::format("; {} by triangles (quadrature = \"smooth\": 3 % nearer, some 40 times the time)", layer.name);
+    if (p.scene.layers[k].quadrature != LayerDef::Quadrature::triangles) continue;
+    if (by_triangles.empty())
+      by_triangles = layer.name;
+    else
+      ++more;
   }
+  if (more > 0) by_triangles += fmt::format(" and {} more", more);
+  if (!by_triangles.empty())
+    note +=
+        fmt::format("; {} by triangles (quadrature = \"smooth\": 3 % nearer, some 40 times the time)", by_triangles);
   return note;
 }
 

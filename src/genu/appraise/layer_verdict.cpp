@@ -1,5 +1,6 @@
 #include "genu/appraise/layer_verdict.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,21 +33,50 @@ Extreme extreme(const ResultTable& poses, const std::string& column, double sign
   return out;
 }
 
-/// Of the rows in contact.
-Extreme fewest(const ResultTable& poses, const std::string& column) {
-  Extreme out;
+/// A layer of which too few triangles carry the load in some rows.
+struct TooFew {
+  std::string layer, sheet;
+  double points = std::numeric_limits<double>::infinity();  ///< fewest of a row in contact
+  std::size_t row = 0, count = 0;                           ///< where that is; rows with too few
+};
+
+TooFew fewest(const ResultTable& poses, const std::string& layer, const std::string& sheet) {
+  TooFew out{layer, sheet};
   for (std::size_t row = 0; row < poses.rows(); ++row) {
-    const double points = poses.number(row, column);
+    const double points = poses.number(row, layer + ".points");
     if (!(points > 0) || points >= kFewLayerTriangles) continue;
-    if (out.count++ == 0 || points < out.value) out.value = points, out.row = row;
+    ++out.count;
+    if (points < out.points) out.points = points, out.row = row;
   }
   return out;
+}
+
+/// A sentence for each of a few layers, one for all where there are many: the pieces of a meniscus.
+void say_too_few(const std::vector<TooFew>& layers, std::size_t rows, std::vector<std::string>& out) {
+  constexpr std::size_t kEachByItself = 3;
+  if (layers.size() <= kEachByItself) {
+    for (const TooFew& few : layers)
+      out.push_back(
+          fmt::format("The mesh is too coarse for the layer of {}: in {} of {} rows fewer than {:.0f} triangles of {} "
+                      "carry the load ({:.0f} in row {}). Use a finer mesh or quadrature = \"smooth\".",
+                      few.layer, few.count, rows, kFewLayerTriangles, few.sheet, few.points, few.row + 1));
+    return;
+  }
+  const auto by_points = [](const TooFew& a, const TooFew& b) { return a.points < b.points; };
+  const auto by_rows = [](const TooFew& a, const TooFew& b) { return a.count < b.count; };
+  const TooFew& least = *std::min_element(layers.begin(), layers.end(), by_points);
+  const TooFew& most = *std::max_element(layers.begin(), layers.end(), by_rows);
+  out.push_back(fmt::format(
+      "The meshes are too coarse for {} layers: in up to {} of {} rows ({}) fewer than {:.0f} triangles of a "
+      "mesh carry the load ({:.0f} of {} in row {}). Use finer meshes or quadrature = \"smooth\".",
+      layers.size(), most.count, rows, most.layer, kFewLayerTriangles, least.points, least.sheet, least.row + 1));
 }
 
 }  // namespace
 
 std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointModel& model, const ResultTable& poses) {
   std::vector<std::string> out;
+  std::vector<TooFew> too_few;
   for (std::size_t k = 0; k < scene.layers.size(); ++k) {
     const LayerDef& layer = scene.layers[k];
     const std::string& name = layer.pair.name;
@@ -64,14 +94,10 @@ std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointMo
                       "`search_depth`.",
                       name, deepest.value, deepest.row + 1));
     if (layer.quadrature != LayerDef::Quadrature::triangles) continue;
-    const Extreme few = fewest(poses, name + ".points");
-    if (few.count > 0)
-      out.push_back(
-          fmt::format("The mesh is too coarse for the layer of {}: in {} of {} rows fewer than {:.0f} triangles of {} "
-                      "carry the load ({:.0f} in row {}). Use a finer mesh or quadrature = \"smooth\".",
-                      name, few.count, poses.rows(), kFewLayerTriangles,
-                      scene.surfaces[static_cast<std::size_t>(layer.cast_from)].name, few.value, few.row + 1));
+    TooFew few = fewest(poses, name, scene.surfaces[static_cast<std::size_t>(layer.cast_from)].name);
+    if (few.count > 0) too_few.push_back(std::move(few));
   }
+  say_too_few(too_few, poses.rows(), out);
   return out;
 }
 
