@@ -56,9 +56,7 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   if (too_dense(samples, options.spacing)) samples = thin_samples(samples, options.spacing);
   samples_ = std::make_shared<const SampleSet>(std::move(samples));
   gap_.assign(samples_->points.size(), kInfinity);
-  memory_.resize(samples_->points.size());
-  feet_.resize(samples_->points.size());
-  own_.resize(samples_->points.size());
+  place_.assign(samples_->points.size(), -1);
   swallowed_.emplace(*queried_, *sampled_, *samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
   SampleTree tree = build_sample_tree(samples_->points);
@@ -82,9 +80,9 @@ void Proximity::forget() {
     Group& group = groups_[at(g)];
     group.clearance = std::numeric_limits<double>::quiet_NaN();
     group.measured = Pose{};
-    for (int k = group.first; group.children < 0 && k < group.last; ++k) memory_[at(order_[at(k)])] = Memory{};
   }
   touched_.clear();
+  for (Tested& sample : tested_) sample.memory = Memory{};
   for (const int i : measured_) gap_[at(i)] = kInfinity;
   measured_.clear();
   swallowed_->forget();
@@ -117,7 +115,7 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
     }
     for (int k = group.first; k < group.last; ++k) {
       const int i = order_[at(k)];
-      Memory& known = memory_[at(i)];
+      Memory& known = tested(i).memory;
       const Vec3 x = X_qs * samples_->points[at(i)];
       if (known.clearance - (x - known.at).norm() > window) continue;
       if (const double front = queried_->clear_in_front(x); front > window) {
@@ -165,9 +163,8 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   const auto i = static_cast<std::size_t>(sample);
   const Vec3 x = X_qs * samples_->points[i];
   const Vec3 normal = X_qs.R * samples_->normals[i];
-  Memory& memory = memory_[i];
+  auto& [memory, foot, own] = tested(sample);
   memory.at = x;
-  std::optional<SurfacePoint>& foot = feet_[i];
   if (const auto gap = queried_->gap_and_foot(x, foot)) {
     memory.clearance = near_clearance(gap).value_or(queried_->clear_in_front(x));
     if (direction == nullptr && *gap > kShallowOverlap * spacing_) return *gap;
@@ -228,12 +225,11 @@ std::optional<Descent> Proximity::descend(const Pose& X_qs, const Vec3& start) c
 /// found once.
 std::optional<Descent> Proximity::descend_from(int sample, const Pose& X_qs, const DescentLimits& limits) {
   const Vec3& point = samples_->points[at(sample)];
-  std::optional<SurfacePoint>& own = own_[at(sample)];
+  auto& [memory, foot, own] = tested(sample);
   if (!own && !sampled_->project(point, own.emplace())) {
     own.reset();
     return std::nullopt;
   }
-  const std::optional<SurfacePoint>& foot = feet_[at(sample)];
   return descend_gap(*queried_, *sampled_, X_qs, point, limits, {&*own, foot ? &*foot : nullptr});
 }
 

@@ -96,6 +96,13 @@ class Proximity {
     double doubt = -1;      ///< m: clearance by facets, where the smooth surface gives the wrong side
   };
 
+  /// A sample that has been tested at some time. Most of a surface never comes near the other.
+  struct Tested {
+    Memory memory;
+    std::optional<SurfacePoint> foot;  ///< on the queried surface at the last measurement, where asked for
+    std::optional<SurfacePoint> own;   ///< its place on its own surface, where asked for
+  };
+
   Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
   std::optional<Descent> descend_from(int sample, const Pose& X_qs, const DescentLimits& limits);
@@ -111,6 +118,14 @@ class Proximity {
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction);
   double depth_behind(const Pose& X_qs, int sample);
   double doubtful_gap(const Vec3& x, double gap, Memory& memory) const;
+  Tested& tested(int sample) {
+    int& place = place_[at(sample)];
+    if (place < 0) {
+      place = static_cast<int>(tested_.size());
+      tested_.emplace_back();
+    }
+    return tested_[at(place)];
+  }
   template <typename Visit>
   void visit_near(const Pose& X_qs, double window, Visit visit);
 
@@ -128,14 +143,13 @@ class Proximity {
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;
-  std::vector<int> touched_;    // groups with a memory of their own or of their samples
-  std::vector<Memory> memory_;  // of each sample
-  // Of each sample, where asked for: its foot on the queried surface at the last measurement, and its place on its own.
-  std::vector<std::optional<SurfacePoint>> feet_, own_;
-  std::vector<double> gap_;    // of each sample at the last measurement; infinity where clear
-  std::vector<int> measured_;  // the samples that have one
-  std::vector<int> starts_;    // of descents, by gap
-  std::vector<Descent> raw_;   // ends of descents: a of the queried surface, b of the sampled one
+  std::vector<int> touched_;    // groups with a memory
+  std::vector<Tested> tested_;  // in order of their first test
+  std::vector<int> place_;      // of each sample in tested_; -1 where it is not there
+  std::vector<double> gap_;     // of each sample at the last measurement; infinity where clear
+  std::vector<int> measured_;   // the samples that have one
+  std::vector<int> starts_;     // of descents, by gap
+  std::vector<Descent> raw_;    // ends of descents: a of the queried surface, b of the sampled one
 };
 
 }  // namespace genu
