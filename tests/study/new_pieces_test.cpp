@@ -112,7 +112,7 @@ TEST(NewPieces, FilesAreSortedAndSaid) {
   ASSERT_EQ(choices.size(), 1u);
   EXPECT_EQ(choices[0], "meshes      femur: bone " + bone + ", cartilage " + sheet + "; tibia: bone " + bone +
                             ", cartilage " + sheet +
-                            " (by their shape; --femur-cartilage and --tibia-cartilage say otherwise)");
+                            " (by their shape; --femur-cartilage, --tibia-cartilage and --patella-cartilage say otherwise)");
 
   asked.tibia_any = files({sheet});
   EXPECT_FALSE(sort_pieces(asked, choices, out));

@@ -30,6 +30,7 @@ struct NewArguments {
   std::string kind, side;
   std::vector<std::string> femur, tibia;  ///< what touches, or pieces of bone and cartilage
   std::vector<std::string> femur_cartilage, tibia_cartilage;
+  std::vector<std::string> patella, patella_cartilage;
   double landmark_error = 0;  ///< mm
 };
 
@@ -37,8 +38,8 @@ struct NewArguments {
 bool says_more_than_it_uses(const CLI::App& command, const NewScene& asked, Diagnostics& out) {
   if (asked.kind == NewScene::Kind::stl) return false;
   for (const char* option :
-       {"--femur", "--tibia", "--femur-cartilage", "--tibia-cartilage", "--units", "--side", "--proximal", "--anterior",
-        "--landmarks", "--landmark-units", "--landmark-error", "--picture"})
+       {"--femur", "--tibia", "--femur-cartilage", "--tibia-cartilage", "--patella", "--patella-cartilage", "--units",
+        "--side", "--proximal", "--anterior", "--landmarks", "--landmark-units", "--landmark-error", "--picture"})
     if (command.count(option) > 0)
       out.add(error_at({}, Code::meshes_needed, option, {}, "belongs to a scene of meshes: --femur F --tibia T"));
   return out.has_errors();
@@ -61,6 +62,7 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
   };
   take(arguments.femur, arguments.femur_cartilage, asked.femur_any, asked.femur, asked.femur_bone);
   take(arguments.tibia, arguments.tibia_cartilage, asked.tibia_any, asked.tibia, asked.tibia_bone);
+  take(arguments.patella, arguments.patella_cartilage, asked.patella_any, asked.patella, asked.patella_bone);
   asked.landmark_error = 1e-3 * arguments.landmark_error;
   if (!arguments.side.empty()) asked.left = arguments.side == "left";
   asked.cancelled = stop_on_interrupt();
@@ -106,6 +108,15 @@ void add_new(CLI::App& command, int& exit_code) {
                   "meshes of the femur's cartilage; those of --femur are bone then, whatever their shape")
       ->expected(1, kMostPieces);
   command.add_option("--tibia-cartilage", arguments->tibia_cartilage, "the same of the tibia")
+      ->expected(1, kMostPieces);
+  command
+      .add_option("--patella", arguments->patella,
+                  "the same of the patella: a third body in contact with the femur, with its ligaments and the "
+                  "quadriceps. Without it the knee has none")
+      ->expected(1, kMostPieces);
+  command
+      .add_option("--patella-cartilage", arguments->patella_cartilage,
+                  "meshes of the patella's cartilage; those of --patella are bone then")
       ->expected(1, kMostPieces);
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
       ->check(CLI::IsMember(length_unit_names()));

@@ -15,7 +15,8 @@ void read_points(std::istream& in, ReferenceKnee& knee) {
   std::size_t count = 0;
   in >> bone >> kind >> count;
   ReferenceKnee::Bone& of = bone == "femur" ? knee.femur : knee.tibia;
-  std::vector<FacingPoint>& points = kind == "bone" ? of.bone : of.cartilage;
+  std::vector<FacingPoint>& points =
+      bone == "patella" ? knee.patella.cartilage : (kind == "bone" ? of.bone : of.cartilage);
   points.resize(count);
   for (FacingPoint& p : points) {
     for (double& x : p.at) in >> x;
@@ -46,6 +47,33 @@ void read_fibre(std::istream& in, ReferenceKnee& knee) {
   knee.fibres.push_back(f);
 }
 
+Vec3 read_place(std::istream& in) {
+  Vec3 place;
+  for (double& x : place) in >> x;
+  return kMillimetre * place;
+}
+
+void read_band(std::istream& in, ReferencePatella& patella) {
+  PatellaFibre f;
+  std::string from, to;
+  in >> from >> to >> f.name >> f.bundle >> f.stiffness >> f.transition >> f.strain;
+  f.to_tibia = to == "tibia";
+  (from == "patella" ? f.patella : f.bone) = read_place(in);
+  (from == "patella" ? f.bone : f.patella) = read_place(in);
+  patella.fibres.push_back(f);
+}
+
+void read_cable(std::istream& in, ReferencePatella& patella) {
+  QuadricepsCable c;
+  in >> c.name >> c.tension;
+  c.femur = read_place(in);
+  c.patella = read_place(in);
+  in >> c.radius;
+  c.radius *= kMillimetre;
+  c.centre = read_place(in);
+  patella.quadriceps.push_back(c);
+}
+
 void read_pose(std::istream& in, ReferenceKnee& knee) {
   double angle[3];
   Vec3 shift;
@@ -64,6 +92,8 @@ ReferenceKnee read() {
     if (word == "plateau") read_plateau(in, knee);
     if (word == "pose") read_pose(in, knee);
     if (word == "fibre") read_fibre(in, knee);
+    if (word == "band") read_band(in, knee.patella);
+    if (word == "cable") read_cable(in, knee.patella);
     if (word == "#") std::getline(in, word);
   }
   return knee;

@@ -24,11 +24,12 @@ std::optional<NewBone> read_new_bone(const PieceFiles& file, const std::string& 
 }
 
 /// Two frames in two files are seldom meant: between RAS and LPS one of the bones stands back to front.
-bool check_spaces(const NewBone& femur, const NewBone& tibia, const NewScene& asked, Diagnostics& out) {
-  if (femur.space.empty() || tibia.space.empty() || femur.space == tibia.space) return true;
-  out.error(Code::layout, asked.femur.text() + ", " + asked.tibia.text(),
+bool check_spaces(const NewBone& femur, const PieceFiles& femur_file, const NewBone& other,
+                  const PieceFiles& other_file, Diagnostics& out) {
+  if (femur.space.empty() || other.space.empty() || femur.space == other.space) return true;
+  out.error(Code::layout, femur_file.text() + ", " + other_file.text(),
             fmt::format("are in two frames by their own headers, SPACE={} and SPACE={}: export both in one frame",
-                        femur.space, tibia.space));
+                        femur.space, other.space));
   return false;
 }
 
@@ -36,12 +37,18 @@ bool check_spaces(const NewBone& femur, const NewBone& tibia, const NewScene& as
 
 std::optional<NewBones> read_new_bones(const NewScene& asked, Diagnostics& out) {
   auto femur = read_new_bone(asked.femur, asked.unit, out), tibia = read_new_bone(asked.tibia, asked.unit, out);
-  std::optional<NewBone> femur_bone, tibia_bone;
-  if (!asked.femur_bone.empty()) femur_bone = read_new_bone(asked.femur_bone, asked.unit, out);
-  if (!asked.tibia_bone.empty()) tibia_bone = read_new_bone(asked.tibia_bone, asked.unit, out);
+  NewBones bones;
+  for (const auto& [files, bone] :
+       {std::pair(&asked.femur_bone, &bones.femur_bone), std::pair(&asked.tibia_bone, &bones.tibia_bone),
+        std::pair(&asked.patella, &bones.patella), std::pair(&asked.patella_bone, &bones.patella_bone)})
+    if (!files->empty()) *bone = read_new_bone(*files, asked.unit, out);
   if (out.has_errors() || !femur || !tibia) return std::nullopt;
-  if (!check_spaces(*femur, *tibia, asked, out)) return std::nullopt;
-  return NewBones{std::move(*femur), std::move(*tibia), std::move(femur_bone), std::move(tibia_bone)};
+  if (!check_spaces(*femur, asked.femur, *tibia, asked.tibia, out) ||
+      (bones.patella && !check_spaces(*femur, asked.femur, *bones.patella, asked.patella, out)))
+    return std::nullopt;
+  bones.femur = std::move(*femur);
+  bones.tibia = std::move(*tibia);
+  return bones;
 }
 
 }  // namespace genu

@@ -171,6 +171,7 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
                     "ligaments are not taken. Is the side right? --side, --proximal and --anterior decide",
                     fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched),
         {},
+        {},
         fitted.femur.median + fitted.tibia.median};
   const auto [low, high] = errors_of(fitted);
   return {of_reference(fitted) + menisci_text(fitted),
@@ -183,6 +184,7 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
           turned_doubt(fitted, axes_of(knee, left)),
           {},
           frames_of_bones(fitted),
+          fitted,
           fitted.femur.median + fitted.tibia.median};
 }
 

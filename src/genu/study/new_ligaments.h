@@ -21,6 +21,7 @@ struct NewLigaments {
   std::optional<std::string> turned;           ///< that the bones stand askew to the axes of their files
   std::optional<std::string> doubt;            ///< why the reference knee could not be laid on the bones
   std::optional<KneeFrames> frames;            ///< of the bones, where the reference knee fits
+  std::optional<FittedKnee> fitted;            ///< the reference knee, where it fits
   double misfit = 0;                           ///< m: sum of the median misfits of the reference knee on both meshes
 };
 

@@ -116,7 +116,8 @@ std::vector<bool> seem_cartilage(const std::vector<Mesh>& meshes) {
 
 std::optional<NewScene> sort_pieces(const NewScene& asked, std::vector<std::string>& choices, Diagnostics& out) {
   NewScene sorted = asked;
-  for (const auto& [option, files] : {std::pair("--femur", &asked.femur_any), std::pair("--tibia", &asked.tibia_any)})
+  for (const auto& [option, files] : {std::pair("--femur", &asked.femur_any), std::pair("--tibia", &asked.tibia_any),
+                                      std::pair("--patella", &asked.patella_any)})
     for (auto path = files->paths.begin(); path != files->paths.end(); ++path)
       if (std::find(files->paths.begin(), path, *path) != path)
         out.add(error_at({}, Code::duplicate, option, with_quotes(printable(*path)), "is named twice"));
@@ -129,9 +130,10 @@ std::optional<NewScene> sort_pieces(const NewScene& asked, std::vector<std::stri
   };
   sort_one("femur", asked.femur_any, sorted.femur, sorted.femur_bone);
   sort_one("tibia", asked.tibia_any, sorted.tibia, sorted.tibia_bone);
+  sort_one("patella", asked.patella_any, sorted.patella, sorted.patella_bone);
   if (!told.empty())
     choices.push_back("meshes      " + told +
-                      " (by their shape; --femur-cartilage and --tibia-cartilage say otherwise)");
+                      " (by their shape; --femur-cartilage, --tibia-cartilage and --patella-cartilage say otherwise)");
   if (sorted.femur_bone.empty() != sorted.tibia_bone.empty())
     out.error(Code::meshes_needed, {},
               fmt::format("cartilage over bone is given for one of femur and tibia{}: --femur BONE CARTILAGE --tibia "

@@ -44,9 +44,11 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
   std::vector<std::pair<const char*, std::string>> names = {{"NAME", asked.folder}, {"--landmarks", asked.landmarks}};
-  for (const auto& [option, files] : {std::pair("--femur", &asked.femur), std::pair("--tibia", &asked.tibia),
-                                      std::pair("--femur", &asked.femur_bone), std::pair("--tibia", &asked.tibia_bone),
-                                      std::pair("--femur", &asked.femur_any), std::pair("--tibia", &asked.tibia_any)})
+  for (const auto& [option, files] :
+       {std::pair("--femur", &asked.femur), std::pair("--tibia", &asked.tibia), std::pair("--femur", &asked.femur_bone),
+        std::pair("--tibia", &asked.tibia_bone), std::pair("--femur", &asked.femur_any),
+        std::pair("--tibia", &asked.tibia_any), std::pair("--patella", &asked.patella),
+        std::pair("--patella", &asked.patella_bone), std::pair("--patella", &asked.patella_any)})
     for (const std::string& path : files->paths) names.emplace_back(option, path);
   for (const auto& [what, name] : names)
     if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))

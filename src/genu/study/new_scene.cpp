@@ -24,6 +24,7 @@
 #include "genu/study/new_laxity.h"
 #include "genu/study/new_ligaments.h"
 #include "genu/study/new_numbers.h"
+#include "genu/study/new_patella.h"
 #include "genu/study/new_picture.h"
 #include "genu/study/new_pieces.h"
 #include "genu/study/new_refusals.h"
@@ -55,7 +56,7 @@ Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bone
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
                                     const KneeLandmarks& landmarks, const NewLigaments& ligaments,
-                                    const KneeFrames& frames, const Words& w) {
+                                    const NewPatella& patella, const KneeFrames& frames, const Words& w) {
   std::vector<std::string> out;
   const double turned = to::kDegree * angle_between(frames_of_files(knee), frames);
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}{}", w.at("proximal"),
@@ -71,6 +72,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
   out.push_back("ligaments   " + ligaments.choice);
+  if (!patella.choice.empty()) out.push_back("patella     " + patella.choice);
   if (!asked.landmarks.empty()) out.push_back(landmarks_choice(landmarks, asked.landmarks));
   out.push_back("chosen      ligaments, cartilage, load: nothing in a mesh says them. Put your own there");
   return out;
@@ -79,6 +81,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
 constexpr int kStartFlexion = 30;   // deg: what a start without anatomy can be asked
 constexpr int kWholeFlexion = 120;  // deg: with it
 constexpr int kSettleRounds = 8;    // trials after which ligaments stay as they are
+constexpr int kPatellaRounds = 4;   // the same of those of the patella
 constexpr int kSettlingRows = 10;   // rows of the step before it
 
 void ask_for_flexion(Words& words, int degrees, bool tried_further) {
@@ -157,10 +160,13 @@ struct Composed {
   std::vector<std::string> choices;
   std::string ligaments{};  ///< of kind stl: their text, and what stands for its words
   Words lengths{};
+  NewPatella patella{};           ///< which comes last
   std::optional<NewKnee> knee{};  ///< for its picture
+  bool with_patella = false;
 
   std::string whole() {
     words["ligaments"] = filled_in(ligaments, lengths);
+    if (with_patella) words["patella"] = filled_in(patella.text, patella.lengths);
     return filled_in(text, words);
   }
 };
@@ -199,12 +205,16 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
     if (doubt) out.warning(Code::layout, asked.femur.text() + ", " + asked.tibia.text(), *doubt);
   words.merge(words_of_knee(asked, *knee, frames, side.left, *bones, *landmarks));
   words["ligaments_note"] = ligaments.note;
+  words["patella"] = "";
+  const NewPatella patella = patella_of(asked, *bones, ligaments.fitted, *knee, words, out);
+  if (out.has_errors()) return std::nullopt;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
   return Composed{stl_scene_text(),
                   words,
-                  choices_of(asked, *knee, side, *landmarks, ligaments, frames, words),
+                  choices_of(asked, *knee, side, *landmarks, ligaments, patella, frames, words),
                   ligaments.text,
                   ligaments.lengths,
+                  patella,
                   NewKnee{*bones, *knee, side.left, *landmarks, ligaments.choice, ligaments.doubt.value_or("")}};
 }
 
@@ -250,6 +260,12 @@ class Settling {
     trial(true);
     for (int round = 0; round < kSettleRounds && settles(round); ++round) trial(false);
     if (stl && !asked_.femur_bone.empty() && !composed_.lengths.empty()) aim();
+    // What moves with the patella settles without it: it changes the balance of the tibia little.
+    composed_.with_patella = !composed_.patella.text.empty();
+    for (int round = 0; composed_.with_patella && round < kPatellaRounds && error_.empty() && found(); ++round) {
+      trial(false);
+      if (error_.empty() && found() && !settle_patella(found()->poses, composed_.patella.lengths)) break;
+    }
     if (stl && error_.empty() && found() && !all_solved(found()->summary.exit_code) &&
         found()->summary.poses_solved > kSettlingRows) {
       ask_for_flexion(composed_.words, found()->summary.poses_solved - kSettlingRows, true);

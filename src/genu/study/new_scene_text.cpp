@@ -217,7 +217,7 @@ regions = { medial = "@medial@", lateral = "@lateral@" }   # results of the two 
 
 # --- Ligaments: CHOSEN throughout. @ligaments_note@
 # Put your own points (picked in the meshes), stiffness (N at a strain of 1) and strain in the reference pose there ---
-@ligaments@
+@ligaments@@patella@
 # --- Load: CHOSEN. 100 N press the tibia against the femur, always along the tibia's own axis ---
 [load.compression]
 body = "tibia"
@@ -235,6 +235,38 @@ increments = 9
 prescribe = { "knee.flexion" = [0, @flexion@] }   # CHOSEN@flexion_note@
 increments = @increments@
 )";
+}
+
+std::string patella_text() {
+  return R"(
+# --- The patella: where the files have it all its coordinates are 0. The reference patella lies on it (@patella_fit@) ---
+[body.patella]
+
+[joint.patella]
+type = "free"
+parent = "femur"
+child = "patella"
+rotations = ["flexion @flexion_axis@", "rotation @adduction_axis@", "tilt @rotation_axis@"]   # in this order
+translations = ["x", "y", "z"]
+grood_suntay = { side = "@side@", femur = { body = "femur", proximal = @femur_proximal@, anterior = @femur_anterior@, origin = @femur_origin@ }, patella = { body = "patella", proximal = @femur_proximal@, anterior = @femur_anterior@, origin = @patella_origin@ } }
+
+[surface.patella]
+body = "patella"
+shape = "mesh"
+file = @patella_file@
+units = "@patella_unit@"@patella_thickness@
+
+[contact.patellofemoral]
+surfaces = ["femur", "patella"]
+model = "cartilage"
+modulus = 10                   # CHOSEN: MPa
+poisson = 0.45                 # CHOSEN
+@patella_layer@quadrature = "triangles"
+cast_from = "patella"
+
+# Its ligaments: CHOSEN, those of the measured knee. `reference_strain` is that of the measured knee in extension.
+@patella_ligaments@# The quadriceps: CHOSEN. Four cables of constant tension, @tension@ N in all, each over a cylinder in front of the femur.
+@quadriceps@)";
 }
 
 std::string filled_in(std::string text, const std::map<std::string, std::string>& values) {

@@ -22,21 +22,19 @@ std::string seen_from(const std::string& file, const std::string& folder) {
   return '"' + toml_string_of((relative.empty() ? to : relative).string()) + '"';
 }
 
-/// One name, or a list of the files of the pieces.
+}  // namespace
+
 std::string names_seen_from(const PieceFiles& files, const std::string& folder) {
   std::string out;
   for (const std::string& file : files.paths) out += (out.empty() ? "" : ", ") + seen_from(file, folder);
   return files.several() ? "[" + out + "]" : out;
 }
 
-/// The thickness of cartilage over a bone.
 std::string thickness_text(const PieceFiles& files, const std::string& folder, const std::optional<NewBone>& bone) {
   if (!bone) return "";
   return fmt::format("\nthickness = {{ bone = {}, units = \"{}\" }}", names_seen_from(files, folder),
                      length_unit_name(bone->unit));
 }
-
-}  // namespace
 
 std::string toml_string_of(const std::string& text) {
   std::string out;

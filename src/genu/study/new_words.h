@@ -17,6 +17,12 @@ using Words = std::map<std::string, std::string>;
 /// What stands between the quotes of a string of TOML.
 std::string toml_string_of(const std::string& text);
 
+/// One name, or a list of the files of the pieces, as a scene in `folder` names them.
+std::string names_seen_from(const PieceFiles& files, const std::string& folder);
+
+/// The line for the thickness of cartilage over a bone; empty where there is none.
+std::string thickness_text(const PieceFiles& files, const std::string& folder, const std::optional<NewBone>& bone);
+
 /// All but the ligaments and the motion.
 Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const KneeFrames& frames, bool left,
                     const NewBones& bones, const KneeLandmarks& landmarks);

@@ -309,6 +309,12 @@ inline constexpr double kThickestCartilage = 6e-3;
 /// [1] Vertices of a mesh that are looked at. Fails first: if too small, chance decides.
 inline constexpr std::size_t kPieceSamples = 400;
 
+// new_patella
+
+/// [m] Distance from the femur up to which a mesh can be its patella. Fails first: if too small, patellae of knees with
+/// an effusion are refused; if too large, those of another frame are taken.
+inline constexpr double kPatellaAway = 0.03;
+
 // new_picture
 
 /// [m] How far an end of a scene may be from where the reference knee or a landmark has it, to be that one: scenes have
