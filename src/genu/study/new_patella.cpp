@@ -37,8 +37,17 @@ double distance_between(const Mesh& mesh, const Mesh& other) {
   return least;
 }
 
+double length_of(const Mesh& mesh) {
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& vertex : mesh.vertices) low = low.cwiseMin(vertex), high = high.cwiseMax(vertex);
+  return (high - low).maxCoeff();
+}
+
 /// Why it cannot lie there; empty where it can.
 std::string misplaced(const Mesh& patella, const Mesh& femur, const KneeLayout& knee) {
+  if (const double length = length_of(patella); length > kLargestPatella * knee.width)
+    return fmt::format("is {} mm long beside a tibia of {} mm width: is it the patella?", tenths(length),
+                       tenths(knee.width));
   const double forward = (middle_of_mesh(patella) - knee.centre).dot(knee.anterior);
   if (forward <= 0)
     return fmt::format(
@@ -73,6 +82,14 @@ std::string fibres_text(const FittedPatella& fitted) {
   return out;
 }
 
+/// The cables' part of `load` of a step in which the load grows.
+std::string ramp_text() {
+  std::string out;
+  for (const QuadricepsCable& cable : reference_knee().patella.quadriceps)
+    out += fmt::format(", {} = [0.05, 1]", cable.name);
+  return out;
+}
+
 std::string unit_text(const Vec3& d) { return fmt::format("[{:.6f}, {:.6f}, {:.6f}]", d.x(), d.y(), d.z()); }
 
 std::string quadriceps_text(const FittedPatella& fitted) {
@@ -88,7 +105,7 @@ std::string quadriceps_text(const FittedPatella& fitted) {
         name, tenths(cable.radius), point_text(cable.centre), unit_text(across), unit_text(cable.axis));
     out += fmt::format(
         "[load.{}]\nfrom = {{ body = \"femur\", point = {} }}\nto = {{ body = \"patella\", point = {} }}\n"
-        "wrap = [{{ surface = \"front_{}\", side = {} }}]\nmagnitude = {:g}\n\n",
+        "wrap = [{{ surface = \"front_{}\", side = {}, inside = \"ignore\" }}]\nmagnitude = {:g}\n\n",
         name, point_text(cable.femur), point_text(cable.patella), name, unit_text(across), cables[i].tension);
   }
   return out;
@@ -124,9 +141,11 @@ NewPatella patella_of(const NewScene& asked, const NewBones& bones, const std::o
   w["patella_file"] = names_seen_from(asked.patella, asked.folder);
   w["patella_unit"] = length_unit_name(bones.patella->unit);
   w["patella_origin"] = point_text(middle_of_mesh(mesh));
-  const bool measured = bones.femur_bone && bones.patella_bone;
-  w["patella_thickness"] = measured ? thickness_text(asked.patella_bone, asked.folder, bones.patella_bone) : "";
-  w["patella_layer"] = measured ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
+  // The femur's cartilage is as thick under the patella as under the tibia.
+  const std::string of_its_bone = thickness_text(asked.patella_bone, asked.folder, bones.patella_bone);
+  const std::string chosen = "\nthickness = 3                  # CHOSEN: mm";
+  w["patella_thickness"] = !bones.femur_bone ? "" : bones.patella_bone ? of_its_bone : chosen;
+  w["patella_layer"] = bones.femur_bone ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
   w["patella_fit"] = fit;
   w["patella_ligaments"] = fibres_text(patella);
   w["quadriceps"] = quadriceps_text(patella);
@@ -136,7 +155,7 @@ NewPatella patella_of(const NewScene& asked, const NewBones& bones, const std::o
     lengths[length_word(fibre.name)] = fmt::format("reference_strain = {:g}", fibre.strain);
     w[length_word(fibre.name)] = "@" + length_word(fibre.name) + "@";
   }
-  return {filled_in(patella_text(), w), lengths,
+  return {filled_in(patella_text(), w), lengths, ramp_text(),
           fmt::format("{} fibres and four cables of quadriceps ({:.0f} N) of a measured knee laid on it ({})",
                       patella.fibres.size(), tension, fit)};
 }

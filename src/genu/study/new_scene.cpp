@@ -166,7 +166,8 @@ struct Composed {
 
   std::string whole() {
     words["ligaments"] = filled_in(ligaments, lengths);
-    if (with_patella) words["patella"] = filled_in(patella.text, patella.lengths);
+    words["patella"] = with_patella ? filled_in(patella.text, patella.lengths) : "";
+    words["patella_ramp"] = with_patella ? patella.ramp : "";
     return filled_in(text, words);
   }
 };
@@ -205,7 +206,6 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
     if (doubt) out.warning(Code::layout, asked.femur.text() + ", " + asked.tibia.text(), *doubt);
   words.merge(words_of_knee(asked, *knee, frames, side.left, *bones, *landmarks));
   words["ligaments_note"] = ligaments.note;
-  words["patella"] = "";
   const NewPatella patella = patella_of(asked, *bones, ligaments.fitted, *knee, words, out);
   if (out.has_errors()) return std::nullopt;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);

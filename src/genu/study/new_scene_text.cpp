@@ -228,7 +228,7 @@ frame = "body"
 # --- Steps: what is prescribed and loaded, from where to where. All else finds its balance ---
 [[step]]                                   # settle: the load grows from a twentieth to the whole of it
 prescribe = { "knee.flexion" = 0 }
-load = { compression = [0.05, 1] }
+load = { compression = [0.05, 1]@patella_ramp@ }
 increments = 9
 
 [[step]]                                   # bend

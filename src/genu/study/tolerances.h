@@ -315,6 +315,10 @@ inline constexpr std::size_t kPieceSamples = 400;
 /// an effusion are refused; if too large, those of another frame are taken.
 inline constexpr double kPatellaAway = 0.03;
 
+/// [1] Length over the tibia's width above which a mesh is no patella (patellae: 0.45 to 0.65). Fails first: if too
+/// small, patellae with a piece of tendon are refused; if too large, femora are taken for one.
+inline constexpr double kLargestPatella = 0.9;
+
 // new_picture
 
 /// [m] How far an end of a scene may be from where the reference knee or a landmark has it, to be that one: scenes have
