@@ -194,10 +194,21 @@ Held parse(const std::string& text, const py::object& file, const py::object& me
   return held(api::parse(text, path, given));
 }
 
+/// None, a path, or a list of them.
+std::vector<std::string> paths_from(const py::object& given) {
+  std::vector<std::string> paths;
+  if (given.is_none()) return paths;
+  if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) return {path_from(given)};
+  for (const py::handle& path : given) paths.push_back(path_from(py::reinterpret_borrow<py::object>(path)));
+  return paths;
+}
+
 Held make(const py::object& folder, const std::string& kind, const py::object& femur, const py::object& tibia,
-          const std::string& unit, const std::string& proximal, const std::string& anterior, const std::string& side) {
-  const auto path = [](const py::object& p) { return p.is_none() ? std::string() : path_from(p); };
-  const api::NewScene asked{kind, path(folder), path(femur), path(tibia), unit, proximal, anterior, side};
+          const py::object& patella, const std::string& unit, const std::string& proximal, const std::string& anterior,
+          const std::string& side) {
+  const std::string name = folder.is_none() ? std::string() : path_from(folder);
+  const api::NewScene asked{kind,     name, paths_from(femur), paths_from(tibia), paths_from(patella), unit, proximal,
+                            anterior, side};
   const py::gil_scoped_release free;
   return held(api::make(asked));
 }
@@ -328,13 +339,13 @@ SceneError with everything that is wrong.)");
   module.def("parse", &parse, py::arg("text"), py::arg("file") = "scene.toml", py::arg("meshes") = py::none(),
              "The same of the text of a scene file. file: names it in messages; meshes are looked for in its folder.");
   module.def("new", &make, py::arg("folder") = py::none(), py::kw_only(), py::arg("kind") = "analytic",
-             py::arg("femur") = py::none(), py::arg("tibia") = py::none(), py::arg("unit") = "",
-             py::arg("proximal") = "", py::arg("anterior") = "", py::arg("side") = "",
+             py::arg("femur") = py::none(), py::arg("tibia") = py::none(), py::arg("patella") = py::none(),
+             py::arg("unit") = "", py::arg("proximal") = "", py::arg("anterior") = "", py::arg("side") = "",
              R"(A scene to start from, as `genu new` makes it. Returns Scene.
 
 folder: made new, with the commented scene in it; None: in memory alone, of kind "analytic" or "motion".
-kind: "analytic": a knee of formulas; "stl": from two meshes, `femur` and `tibia`, paths of files in one frame; "motion": a
-shank that swings. unit: of the meshes, "mm", "m", "cm", "inch" or "um". proximal, anterior: axes of the meshes, "x" ... "-z". side: "left" or
+kind: "analytic": a knee of formulas; "stl": from meshes in one frame: `femur` and `tibia`, and `patella` where there is
+one, each the path of a bone or its cartilage or a list of paths, of both or in pieces; "motion": a shank that swings. unit: of the meshes, "mm", "m", "cm", "inch" or "um". proximal, anterior: axes of the meshes, "x" ... "-z". side: "left" or
 "right". What is left out is found from the meshes. SceneError for what is refused.)");
 }
 

@@ -1,6 +1,8 @@
 // The reference knee is whole.
 #include "genu/atlas/reference_knee.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace genu {
@@ -27,6 +29,24 @@ TEST(ReferenceKnee, FibresStrainInExtensionAsPublished) {
     const double straight = (reference_knee().flexion[0] * f.tibia - f.femur).norm();
     EXPECT_NEAR(straight / f.slack - 1, f.strain, f.bundle == "pCAP" ? 0.1 : 0.05) << f.name;
   }
+}
+
+/// Cartilage in front of the femur and facing it, six fibres of tendon, the other fibres to the femur, and a quadriceps
+/// of 150 N that pulls upward.
+TEST(ReferenceKnee, HasAPatella) {
+  const ReferencePatella& patella = reference_knee().patella;
+  EXPECT_EQ(patella.cartilage.size(), 365u);
+  Vec3 middle = Vec3::Zero();
+  for (const FacingPoint& p : patella.cartilage) middle += p.at / 365;
+  EXPECT_GT(middle.x(), 0.03);
+  EXPECT_EQ(std::count_if(patella.fibres.begin(), patella.fibres.end(), [](const auto& f) { return f.to_tibia; }), 6);
+  EXPECT_EQ(patella.fibres.size(), 20u);
+  double tension = 0;
+  for (const QuadricepsCable& cable : patella.quadriceps) {
+    tension += cable.tension;
+    EXPECT_GT(cable.femur.y(), cable.patella.y() + 0.05);
+  }
+  EXPECT_NEAR(tension, 150, 1e-9);
 }
 
 }  // namespace

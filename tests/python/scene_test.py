@@ -129,6 +129,15 @@ class Errors(unittest.TestCase):
         refusal(lambda: genu.new(kind="hip"))
         refusal(lambda: genu.new(kind="stl"))
 
+    def test_of_meshes_that_are_no_knee(self):
+        bones = KNEE.parent.parent / "leskovar2019"
+        with tempfile.TemporaryDirectory() as folder:
+            knee = pathlib.Path(folder) / "knee"
+            error = refusal(lambda: genu.new(knee, kind="stl", femur=[bones / "femur.stl"], tibia=bones / "tibia.stl",
+                                             patella=(bones / "tibia.stl",)))
+            self.assertIn("is it the patella?", str(error))
+            self.assertFalse(knee.exists())
+
 
 class Runs(unittest.TestCase):
     def test_tell_their_progress(self):

@@ -70,8 +70,9 @@ Scene make(const NewScene& asked) {
              : asked.kind == "motion" ? genu::NewScene::Kind::motion
                                       : genu::NewScene::Kind::analytic;
   how.folder = asked.folder;
-  how.femur = asked.femur;
-  how.tibia = asked.tibia;
+  how.femur_any.paths = asked.femur;
+  how.tibia_any.paths = asked.tibia;
+  how.patella_any.paths = asked.patella;
   how.unit = asked.unit;
   how.proximal = asked.proximal;
   how.anterior = asked.anterior;

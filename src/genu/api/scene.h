@@ -131,7 +131,8 @@ Scene parse(const std::string& text, const std::string& file = "scene.toml",
 struct NewScene {
   std::string kind = "analytic";  ///< "analytic", "stl", "motion"
   std::string folder = {};        ///< made new, with the scene in it; empty: in memory, of kind analytic or motion
-  std::string femur = {}, tibia = {}, unit = {}, proximal = {}, anterior = {}, side = {};  ///< of kind stl
+  std::vector<std::string> femur = {}, tibia = {}, patella = {};   ///< of kind stl: files of bone, cartilage or both
+  std::string unit = {}, proximal = {}, anterior = {}, side = {};  ///< of kind stl
 };
 Scene make(const NewScene& asked);
 

@@ -61,7 +61,7 @@ FittedPatella::Cable cable_on(const QuadricepsCable& cable, const Affine& femur,
 
 }  // namespace
 
-bool FittedPatella::poor() const { return !(median <= kPoorMisfit) || !(matched >= kLeastMatched); }
+bool FittedPatella::poor() const { return !(median <= kPoorPatella) || !(matched >= kLeastMatched); }
 
 FittedPatella fit_reference_patella(const PatellaMeshes& meshes, const FittedKnee& knee) {
   const ReferencePatella& reference = reference_knee().patella;

@@ -76,6 +76,10 @@ inline constexpr double kErrorBeyond = 0.12;
 /// ligaments of one.
 inline constexpr double kPoorMisfit = 2.5e-3;
 
+/// [m] The same of the patella's cartilage, which is small and nearly flat (patellae: 0.15 to 0.4 mm). Fails first: if
+/// too large, any flat mesh is a patella.
+inline constexpr double kPoorPatella = 8e-4;
+
 /// [1] Least part of the reference that is matched. Fails first: if too large, bones cut short are refused.
 inline constexpr double kLeastMatched = 0.5;
 
