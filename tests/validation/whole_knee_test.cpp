@@ -295,7 +295,7 @@ TEST(WholeKnee, APatellaThatStartsBesideTheFemurIsNamed) {
   EXPECT_NE(sentences(s).find("The patella starts on the wrong side"), std::string::npos) << sentences(s);
 }
 
-/// In extension the patella of S002 lies above the femur's cartilage.
+/// In extension the patella of S002 touches with the lower edge of its cartilage.
 TEST(WholeKnee, AContactAboveTheEdgeIsNoOverlap) {
   GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
   const std::string text = replaced(replaced(scene_text("clouthier2019/S002-rigid"), "[10, 90]", "[0, 90]"),
@@ -370,6 +370,27 @@ TEST(WholeKnee, QuadricepsBearAMomentAtOneAngleAfterAnother) {
   const ResultTable given = table_of(held_under("lenhart2015_whole/scene", 70, t.number(6, "rectus.factor")));
   EXPECT_NEAR(given.number(0, "knee.flexion.reaction_Nm"), 40, 1e-6);
   EXPECT_NEAR(given.number(0, "pf.gs.lateral_shift_mm"), t.number(6, "pf.gs.lateral_shift_mm"), 1e-6);
+}
+
+/// In full extension the patella of S002 rides on the lower edge of its cartilage; 377 N take it out of its groove.
+TEST(WholeKnee, APatellaThatSubluxatesBeforeTheFirstPoseIsNamed) {
+  GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
+  const Solution s = solution_of(held_under("clouthier2019/S002", 0, 1000 / 150.0));
+  EXPECT_EQ(s.summary.poses_solved, 0);
+  EXPECT_NEAR(s.summary.bearable_loads, 0.377, 0.001);
+  const std::string said = sentences(s);
+  EXPECT_NE(said.find("The patella subluxates at knee.flexion = 0 deg under 0.377"), std::string::npos) << said;
+  EXPECT_NE(said.find("it leaves its groove laterally"), std::string::npos) << said;
+  EXPECT_NE(said.find("The joint balances here under 0.377"), std::string::npos) << said;
+}
+
+/// At 20 deg the same knee bears 1000 N, although no pose is found under all of them at once.
+TEST(WholeKnee, AFirstPoseIsFoundByRaisingTheLoads) {
+  GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
+  const Solution s = solution_of(held_under("clouthier2019/S002", 20, 1000 / 150.0));
+  EXPECT_EQ(s.summary.exit_code, kExitOk) << sentences(s);
+  EXPECT_EQ(s.summary.poses_stable, 2);
+  EXPECT_NEAR(s.poses.number(0, "pf.quadriceps.force_N"), 1000, 1e-3);
 }
 
 }  // namespace

@@ -138,14 +138,17 @@ std::string advice_without_pose(const Prepared& prepared, const PosePoint& point
          (meshed ? ", or try another `fit_radius`." : ".");
 }
 
-/// Another start does not help where a layer cannot carry the load.
-std::string overload_advice(double part) {
+/// Another start does not help where a layer cannot carry the load, or where the path toward all of it turns back.
+std::string overload_advice(double part, bool turned_back) {
+  if (turned_back)
+    return fmt::format(
+        "The joint balances here under {:.4g} of its loads and no more. Lower them, begin at another value of what is "
+        "prescribed, or add what holds the joint.",
+        part);
   return fmt::format(
-      "The joint balances here under {:g} of its loads, but the layers do not carry all of them. Use stiffer or "
-      "thicker "
-      "layers (`modulus`, `thickness`, `search_depth`), or a step that raises a load from {:g} to 1 to find their "
-      "limit.",
-      part, part);
+      "The joint balances here under {:.4g} of its loads, but the layers do not carry all of them. Use stiffer or "
+      "thicker layers (`modulus`, `thickness`, `search_depth`).",
+      part);
 }
 
 std::string advice(PoseStatus status, std::size_t prescribed) {
@@ -352,7 +355,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     std::string what_next = advice(report.status, r.point.target.prescribed.size());
     if (report.status == PoseStatus::no_equilibrium)
       what_next = advice_without_pose(prepared, r.point, &r == &records.front(), turned_back);
-    if (&r == &records.front() && summary.bearable_loads > 0) what_next = overload_advice(summary.bearable_loads);
+    if (&r == &records.front() && summary.bearable_loads > 0)
+      what_next = overload_advice(summary.bearable_loads, turned_back);
     if (report.status == PoseStatus::undetermined) what_next = undetermined(prepared, r.point);
     out.push_back(fmt::format("{} at {}: {}. {}", to_string(report.status),
                               place(prepared, r.point.step, r.point.target), report.why, what_next));

@@ -2,6 +2,7 @@
 // from these headers: [unit], bound, what fails first if the value is wrong.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <numbers>
 
@@ -123,10 +124,6 @@ inline constexpr int kRestRows = 16;
 /// [rows] Unsolved rows in a row that are stepped over. Fails first: if too large, time on a path that has ended.
 inline constexpr int kMaxSkippedRows = 3;
 
-/// [step] How far beyond the last pose a limit point is looked for. Fails first: if too small, limit points are not
-/// reported.
-inline constexpr double kLimitReach = 0.5;
-
 // path_follower
 
 /// [length scale, rad] Motion of one substep. Fails first: if too large, near limit points another branch is found.
@@ -211,6 +208,27 @@ inline constexpr double kShortestSpan = 1e-7;
 /// [1] Difference of the tangent over the last one, above which extrapolation stops. Fails first: if too large, poor
 /// predictions at breaks (time).
 inline constexpr double kSmoothShare = 0.2;
+
+// path_turn
+
+/// [step] How far beyond the last pose a limit point is looked for. Fails first: if too small, limit points are not
+/// reported.
+inline constexpr double kLimitReach = 0.5;
+
+/// [smallest increment] Distance of a limit point from the last pose within which it ends the path although the
+/// symmetric part of the stiffness does not vanish there. Fails first: if too large, a limit point of another branch is
+/// reported.
+inline constexpr double kNearTurn = 100;
+
+// raised_loads
+
+/// [loads] Parts of them under which a first pose is sought where none is found under all. Fails first: if too large,
+/// none is found.
+inline constexpr std::array<double, 4> kFirstParts = {0.3, 0.1, 0.03, 0.01};
+
+/// [loads] Smallest step by which they are raised. Fails first: if too large, a steep path passes for ended; if too
+/// small, time.
+inline constexpr double kLoadIncrement = 1e-5;
 
 // starts
 
