@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -154,7 +155,9 @@ std::string overload_advice(double part, bool turned_back) {
 std::string advice(PoseStatus status, std::size_t prescribed) {
   switch (status) {
     case PoseStatus::over_edge:
-      return "The surface ends there: extend its mesh or its patch, or shorten the motion.";
+      return "The surface ends there, and rigid contact has no edges: extend its mesh or its patch, shorten the "
+             "motion, "
+             "or use layers (`model = \"cartilage\"`), which bear load up to their rim.";
     case PoseStatus::overlap:
       return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `start`.";
     case PoseStatus::overconstrained:
@@ -240,6 +243,26 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
         }
     }
   }
+}
+
+/// The surface whose edge a contact ("medial.1") reaches after a row: that to whose edge it was nearer there.
+std::string surface_at_edge(const Prepared& prepared, const std::vector<PoseRecord>& records, const PathEvent& event) {
+  const auto rows = static_cast<std::size_t>(std::max(0, event.rows_before));
+  double least = std::numeric_limits<double>::infinity();
+  std::string out = "its surface";
+  if (rows == 0 || rows > records.size()) return out;
+  for (const ActiveContact& c : records[rows - 1].point.pose.state.contacts) {
+    const ContactDef& contact = prepared.scene.contacts[at(c.pair)];
+    if (event.what != fmt::format("{}.{}", contact.name, c.number) && event.what != contact.name) continue;
+    const auto& pair = prepared.model.pairs[at(c.pair)];
+    for (const bool of_a : {true, false}) {
+      const double distance = (of_a ? *pair.a : *pair.b).edge_distance(of_a ? c.geometry.a.p : c.geometry.b.p);
+      if (!(distance < least)) continue;
+      least = distance;
+      out = prepared.scene.surfaces[at(of_a ? contact.surface_a : contact.surface_b)].name;
+    }
+  }
+  return out;
 }
 
 void say_flutter(const Prepared& prepared, const PathEvent& event, std::vector<std::string>& out) {
@@ -341,8 +364,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::stability_changed && !listed)
       changes.add(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)), out);
     if (e.kind == PathEvent::Kind::over_edge)
-      out.push_back(
-          fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
+      out.push_back(fmt::format("Contact {} reaches the edge of {} at {}.", e.what,
+                                surface_at_edge(prepared, records, e), place(prepared, e.step, e.target)));
   }
   changes.end(out);
   say_reaction_turns(prepared, events, out);
