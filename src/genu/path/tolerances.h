@@ -104,6 +104,13 @@ inline constexpr double kMaxArcCorrection = 0.5;
 /// [1] Newton iterations to an event. Fails first: if too small, bisection instead (time).
 inline constexpr int kMaxEventIterations = 8;
 
+/// [1] Ratio of two corrections from which the next one is foretold. Fails first: if too large, events are inexact
+/// where convergence is slow.
+inline constexpr double kEventContraction = 0.1;
+
+/// [length scale, rad] Foretold correction that is not computed. Fails first: if too large, events are inexact.
+inline constexpr double kEventError = 1e-11;
+
 // flutter_tolerance
 
 /// [substep] How near the beginning of a flutter is located where elastic layers act. Fails first: if too small,
@@ -195,6 +202,10 @@ inline constexpr double kLeapDistance = 1e-6;
 /// [1] Stiffness at a sign change over its values beside it that vanishes; a break of a law changes signs without it.
 /// Fails first: if too small, limit points are missed.
 inline constexpr double kVanishingShare = 1e-3;
+
+/// [substep] How near the place of a change is found on the cubic of the path. Fails first: if too large, more poses
+/// are solved to locate it (time).
+inline constexpr double kPlaceOfChange = 1e-8;
 
 /// [step] Distance from the last pose for which its contacts are the start. Fails first: if too large, wasted
 /// iterations.
