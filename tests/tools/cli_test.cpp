@@ -431,7 +431,7 @@ TEST(Cli, StopsWhereContactRunsOverTheEdgeOfAMesh) {
   const Outcome stopped = genu("run " + scene + " --out " + (folder / "out"));
   EXPECT_EQ(stopped.exit_code, 3) << stopped.out << stopped.err;
   EXPECT_TRUE(contains(stopped.out, "3 of 6 poses are solved")) << stopped.out;  // x = 0, 4 and 8 mm
-  EXPECT_TRUE(contains(stopped.out, "reaches the edge of its surface at knee.x = 8 mm")) << stopped.out;
+  EXPECT_TRUE(contains(stopped.out, "reaches the edge of plate at knee.x = 8 mm")) << stopped.out;
   EXPECT_TRUE(contains(read_file(folder / "out/results.csv"), ",over_edge,"));
 }
 

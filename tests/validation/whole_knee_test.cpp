@@ -295,7 +295,7 @@ TEST(WholeKnee, APatellaThatStartsBesideTheFemurIsNamed) {
   EXPECT_NE(sentences(s).find("The patella starts on the wrong side"), std::string::npos) << sentences(s);
 }
 
-/// In extension the patella of S002 lies above the femur's cartilage.
+/// In extension the patella of S002 touches with the lower edge of its cartilage.
 TEST(WholeKnee, AContactAboveTheEdgeIsNoOverlap) {
   GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
   const std::string text = replaced(replaced(scene_text("clouthier2019/S002-rigid"), "[10, 90]", "[0, 90]"),
@@ -336,6 +336,61 @@ TEST(WholeKnee, ATotalKneeFromClosedFormsIsSolvedRigidAndWithLayers) {
   ASSERT_EQ(layer.rows(), 61u);
   // Polyethylene gives way by tenths of a millimetre.
   for (const std::string& name : kPlaces) EXPECT_LT(worst_difference(rigid, layer, name), 1) << name;
+}
+
+/// One step at `flexion` deg with all four muscles at `factor` of their magnitudes.
+std::string held_under(const std::string& scene, double flexion, double factor) {
+  const std::string text = scene_text(scene);
+  return text.substr(0, text.find("[[step]]")) +
+         fmt::format(
+             "[[step]]\nprescribe = {{ \"knee.flexion\" = {0} }}\nload = {{ rectus = {1:.17g}, intermedius = {1:.17g}, "
+             "lateralis = {1:.17g}, medialis = {1:.17g} }}\nincrements = 1\n",
+             flexion, factor);
+}
+
+/// With at most 1900 N. Up to 70 deg the tendon carries less and less of them, and the patella presses harder.
+TEST(WholeKnee, QuadricepsBearAMomentAtOneAngleAfterAnother) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-patella-cart_shift.stl");
+  const ResultTable t =
+      table_of(replaced(scene_text("lenhart2015_whole/scene-extension"), "increments = 80", "increments = 8"));
+  ASSERT_EQ(t.rows(), 9u);
+  EXPECT_FALSE(t.has_column("knee.flexion.reaction_Nm"));
+  EXPECT_GT(t.number(0, "pf.tendon_to_quadriceps"), 1);
+  for (std::size_t row = 0; row < t.rows(); ++row) {
+    const double quadriceps = t.number(row, "pf.quadriceps.force_N");
+    EXPECT_NEAR(quadriceps, 150 * t.number(row, "rectus.factor"), 1e-9 * quadriceps) << row;
+    EXPECT_LT(quadriceps, 1900) << row;
+    if (row == 0) continue;
+    EXPECT_GT(quadriceps, t.number(row - 1, "pf.quadriceps.force_N")) << row;
+    if (row > 6) continue;
+    EXPECT_LT(t.number(row, "pf.tendon_to_quadriceps"), t.number(row - 1, "pf.tendon_to_quadriceps")) << row;
+    EXPECT_GT(t.number(row, "patellofemoral.force_N"), t.number(row - 1, "patellofemoral.force_N")) << row;
+  }
+  // The same tension, given, is held by no more than the dynamometer.
+  const ResultTable given = table_of(held_under("lenhart2015_whole/scene", 70, t.number(6, "rectus.factor")));
+  EXPECT_NEAR(given.number(0, "knee.flexion.reaction_Nm"), 40, 1e-6);
+  EXPECT_NEAR(given.number(0, "pf.gs.lateral_shift_mm"), t.number(6, "pf.gs.lateral_shift_mm"), 1e-6);
+}
+
+/// In full extension the patella of S002 rides on the lower edge of its cartilage; 377 N take it out of its groove.
+TEST(WholeKnee, APatellaThatSubluxatesBeforeTheFirstPoseIsNamed) {
+  GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
+  const Solution s = solution_of(held_under("clouthier2019/S002", 0, 1000 / 150.0));
+  EXPECT_EQ(s.summary.poses_solved, 0);
+  EXPECT_NEAR(s.summary.bearable_loads, 0.377, 0.001);
+  const std::string said = sentences(s);
+  EXPECT_NE(said.find("The patella subluxates at knee.flexion = 0 deg under 0.377"), std::string::npos) << said;
+  EXPECT_NE(said.find("it leaves its groove laterally"), std::string::npos) << said;
+  EXPECT_NE(said.find("The joint balances here under 0.377"), std::string::npos) << said;
+}
+
+/// At 20 deg the same knee bears 1000 N, although no pose is found under all of them at once.
+TEST(WholeKnee, AFirstPoseIsFoundByRaisingTheLoads) {
+  GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
+  const Solution s = solution_of(held_under("clouthier2019/S002", 20, 1000 / 150.0));
+  EXPECT_EQ(s.summary.exit_code, kExitOk) << sentences(s);
+  EXPECT_EQ(s.summary.poses_stable, 2);
+  EXPECT_NEAR(s.poses.number(0, "pf.quadriceps.force_N"), 1000, 1e-3);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "genu/appraise/jumps.h"
 #include "genu/appraise/layer_doubts.h"
 #include "genu/appraise/layer_verdict.h"
-#include "genu/appraise/overload.h"
 #include "genu/appraise/patella.h"
 #include "genu/appraise/place.h"
 #include "genu/appraise/unstable.h"
@@ -58,8 +57,7 @@ void classify(const std::vector<std::string>& doubts, bool doubted, RunSummary& 
     s.verdict.insert(s.verdict.begin(), k > 0 ? as_sentence(doubts[k]) : "Solved, but " + doubts[k] + ".");
 }
 
-RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,
-                    const NewtonOptions& newton) {
+RunSummary appraise(const Prepared& prepared, const Solved& solved, const ResultTable& poses) {
   RunSummary s = begin_summary(prepared);
   s.poses_asked = solved.asked;
   s.smallest_force = s.smallest_gap = std::numeric_limits<double>::infinity();
@@ -70,7 +68,7 @@ RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved&
   s.substeps = solved.path.substeps;
   s.worst_residual = solved.path.worst_residual;
   s.exit_code = solved.complete() ? kExitOk : kExitIncomplete;
-  if (s.poses_solved == 0 && !s.partial) s.bearable_loads = bearable_loads(prepared, field, newton);
+  s.bearable_loads = solved.path.borne_loads;
   const Timer timer;
   s.locations = locate_contacts(prepared, solved.records);
   s.verdict = verdict_sentences(prepared, solved.records, solved.events, s);

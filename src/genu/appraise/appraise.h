@@ -11,9 +11,8 @@
 
 namespace genu {
 
-/// `poses`: the pose_table() of what was solved. `newton`: for the loads that an overloaded layer would bear.
-RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,
-                    const NewtonOptions& newton);
+/// `poses`: the pose_table() of what was solved.
+RunSummary appraise(const Prepared& prepared, const Solved& solved, const ResultTable& poses);
 
 /// What common sense holds against a solved path, as sentences without a full stop: jumps (jumps.h), poses where the
 /// joint would not stay (unstable.h), numbers beyond the scene's limits (implausible.h).

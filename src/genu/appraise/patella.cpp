@@ -30,12 +30,13 @@ class Patella {
   }
 
   /// Where the path ends, or jumps, because the patella leaves its groove; empty elsewhere.
-  std::string leaving(const Events& events, const PathEvent& event, const PoseRecord& before) const {
+  /// `before`: coordinates of the row before it; null where it precedes all rows.
+  std::string leaving(const Events& events, const PathEvent& event, const std::vector<JointValues>* before) const {
     const auto next = std::find_if(events.begin() + (&event - events.data()), events.end(),
                                    [](const PathEvent& e) { return e.kind == PathEvent::Kind::new_branch; });
     const bool rests = event.kind == PathEvent::Kind::snapped && next != events.end();
-    const auto &from = before.point.pose.state.coordinates, &to = rests ? next->coordinates : event.coordinates;
-    std::optional<double> shift = sideways(from, to, kLeastSubluxation);
+    std::optional<double> shift;
+    if (before != nullptr) shift = sideways(*before, rests ? next->coordinates : event.coordinates, kLeastSubluxation);
     if (!shift) shift = slides(events, event);
     const auto there = motion(event.coordinates), rest = rests ? motion(next->coordinates) : std::nullopt;
     if (!shift || !there) return {};
@@ -223,8 +224,8 @@ std::vector<std::string> patella_sentences(const Prepared& prepared, const std::
     add(std::move(wrong));
     for (const PathEvent& e : events) {
       const std::size_t rows = static_cast<std::size_t>(std::max(0, e.rows_before));
-      if (!ends_a_branch(e) || rows == 0 || rows > records.size() || !records[rows - 1].point.solved()) continue;
-      add(patella.leaving(events, e, records[rows - 1]));
+      if (!ends_a_branch(e) || rows > records.size() || (rows > 0 && !records[rows - 1].point.solved())) continue;
+      add(patella.leaving(events, e, rows > 0 ? &records[rows - 1].point.pose.state.coordinates : nullptr));
     }
   }
   return out;

@@ -1,11 +1,29 @@
 #include "genu/appraise/place.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "genu/appraise/tolerances.h"
+
 namespace genu {
+namespace {
+
+/// Of the loads at the start of the first step, where all are smaller there by the same factor; else 1.
+double part_of_loads(const Prepared& prepared, const Target& target) {
+  if (prepared.steps.empty()) return 1;
+  double part = 1;
+  const std::vector<double> all = prepared.steps.front().target(0).load_factors;
+  for (std::size_t i = 0; i < std::min(all.size(), target.load_factors.size()); ++i)
+    if (all[i] != 0) part = target.load_factors[i] / all[i];
+  for (std::size_t i = 0; i < std::min(all.size(), target.load_factors.size()); ++i)
+    if (!(std::abs(target.load_factors[i] - part * all[i]) <= kSameFactor * std::abs(all[i]))) return 1;
+  return part > 0 ? part : 1;
+}
+
+}  // namespace
 
 std::string place(const Prepared& prepared, int step, const Target& target) {
   const PlacedScene& scene = prepared.scene;
@@ -31,6 +49,8 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
       break;
     }
   const std::string& text = varying.empty() ? held : varying;
+  if (const double part = plan == nullptr ? part_of_loads(prepared, target) : 1; part < 1)
+    return fmt::format("{}{}{:.4g} of the loads", text, text.empty() ? "" : " under ", part);
   return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
 }
 

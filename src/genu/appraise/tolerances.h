@@ -142,6 +142,12 @@ inline constexpr double kNearSearchDepth = 0.95;
 /// on a flaw is not reported.
 inline constexpr double kNearFlaw = 3;
 
+// place
+
+/// [1] Relative difference of the factors of loads that are all lighter by the same part. Fails first: if too small,
+/// the part is not named.
+inline constexpr double kSameFactor = 1e-9;
+
 // shorter_sides
 
 /// [1] Rows of a run in which other sides of surfaces are tried. Fails first: if too small, a shorter side is noticed

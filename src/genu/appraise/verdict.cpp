@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -138,20 +139,25 @@ std::string advice_without_pose(const Prepared& prepared, const PosePoint& point
          (meshed ? ", or try another `fit_radius`." : ".");
 }
 
-/// Another start does not help where a layer cannot carry the load.
-std::string overload_advice(double part) {
+/// Another start does not help where a layer cannot carry the load, or where the path toward all of it turns back.
+std::string overload_advice(double part, bool turned_back) {
+  if (turned_back)
+    return fmt::format(
+        "The joint balances here under {:.4g} of its loads and no more. Lower them, begin at another value of what is "
+        "prescribed, or add what holds the joint.",
+        part);
   return fmt::format(
-      "The joint balances here under {:g} of its loads, but the layers do not carry all of them. Use stiffer or "
-      "thicker "
-      "layers (`modulus`, `thickness`, `search_depth`), or a step that raises a load from {:g} to 1 to find their "
-      "limit.",
-      part, part);
+      "The joint balances here under {:.4g} of its loads, but the layers do not carry all of them. Use stiffer or "
+      "thicker layers (`modulus`, `thickness`, `search_depth`).",
+      part);
 }
 
 std::string advice(PoseStatus status, std::size_t prescribed) {
   switch (status) {
     case PoseStatus::over_edge:
-      return "The surface ends there: extend its mesh or its patch, or shorten the motion.";
+      return "The surface ends there, and rigid contact has no edges: extend its mesh or its patch, shorten the "
+             "motion, "
+             "or use layers (`model = \"cartilage\"`), which bear load up to their rim.";
     case PoseStatus::overlap:
       return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `start`.";
     case PoseStatus::overconstrained:
@@ -237,6 +243,26 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
         }
     }
   }
+}
+
+/// The surface whose edge a contact ("medial.1") reaches after a row: that to whose edge it was nearer there.
+std::string surface_at_edge(const Prepared& prepared, const std::vector<PoseRecord>& records, const PathEvent& event) {
+  const auto rows = static_cast<std::size_t>(std::max(0, event.rows_before));
+  double least = std::numeric_limits<double>::infinity();
+  std::string out = "its surface";
+  if (rows == 0 || rows > records.size()) return out;
+  for (const ActiveContact& c : records[rows - 1].point.pose.state.contacts) {
+    const ContactDef& contact = prepared.scene.contacts[at(c.pair)];
+    if (event.what != fmt::format("{}.{}", contact.name, c.number) && event.what != contact.name) continue;
+    const auto& pair = prepared.model.pairs[at(c.pair)];
+    for (const bool of_a : {true, false}) {
+      const double distance = (of_a ? *pair.a : *pair.b).edge_distance(of_a ? c.geometry.a.p : c.geometry.b.p);
+      if (!(distance < least)) continue;
+      least = distance;
+      out = prepared.scene.surfaces[at(of_a ? contact.surface_a : contact.surface_b)].name;
+    }
+  }
+  return out;
 }
 
 void say_flutter(const Prepared& prepared, const PathEvent& event, std::vector<std::string>& out) {
@@ -338,8 +364,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::stability_changed && !listed)
       changes.add(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)), out);
     if (e.kind == PathEvent::Kind::over_edge)
-      out.push_back(
-          fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
+      out.push_back(fmt::format("Contact {} reaches the edge of {} at {}.", e.what,
+                                surface_at_edge(prepared, records, e), place(prepared, e.step, e.target)));
   }
   changes.end(out);
   say_reaction_turns(prepared, events, out);
@@ -352,7 +378,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     std::string what_next = advice(report.status, r.point.target.prescribed.size());
     if (report.status == PoseStatus::no_equilibrium)
       what_next = advice_without_pose(prepared, r.point, &r == &records.front(), turned_back);
-    if (&r == &records.front() && summary.bearable_loads > 0) what_next = overload_advice(summary.bearable_loads);
+    if (&r == &records.front() && summary.bearable_loads > 0)
+      what_next = overload_advice(summary.bearable_loads, turned_back);
     if (report.status == PoseStatus::undetermined) what_next = undetermined(prepared, r.point);
     out.push_back(fmt::format("{} at {}: {}. {}", to_string(report.status),
                               place(prepared, r.point.step, r.point.target), report.why, what_next));

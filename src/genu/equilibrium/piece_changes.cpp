@@ -150,6 +150,17 @@ void inspect_pieces(const JointModel& model, const State& state, Findings& out) 
   inspect_wraps(model, state, out);
 }
 
+double margin_of_change(const JointModel& model, const Findings& findings, const State& state) {
+  if (!findings.left_piece.empty()) return margin(model, state, state.pieces[at(findings.left_piece.front())]);
+  double out = std::numeric_limits<double>::quiet_NaN();
+  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i)
+      if (static_cast<int>(path.touch_index(i)) == findings.left_touch.front())
+        out = path.touch_margin(state.poses, state.wraps, i) / model.scales.length;
+  });
+  return out;
+}
+
 bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops) {
   for (const int i : findings.left_piece) move(model, state, hold_drops, state.pieces[at(i)]);
   if (!findings.left_touch.empty()) change_touches(model, findings, state);

@@ -19,6 +19,10 @@ namespace genu {
 /// Adds to `out` the ligaments that are off their piece.
 void inspect_pieces(const JointModel& model, const State& state, Findings& out);
 
+/// Distance of the only ligament or touch in `findings` (only_left_piece()) from its change at another state of the
+/// same pieces and touches, scaled; negative beyond it. findings.worst is that at the state they belong to.
+double margin_of_change(const JointModel& model, const Findings& findings, const State& state);
+
 /// Moves each ligament found to the next state of its law. Across a change of stiffness or a drop of the force it goes
 /// to the other side. At a rise of the force it goes first to the break, and from there to the side whose force it
 /// exceeds; with `hold_drops` the same holds at a drop. False where there is none to move.

@@ -27,7 +27,7 @@ bool EventNewton::correct(const StepPlan& plan, const Asked& asked, double t, co
 bool EventNewton::solve(const StepPlan& plan, const Asked& asked, const NewtonOptions& options,
                         const std::shared_ptr<LayerMemories>& layers, double& t, State& state) {
   here_.layers = layers;
-  double last = 1, before = 0;  // of t; of the residual
+  double last = 1, before = 0, length = 0;  // of t; of the residual; of the last correction
   for (int i = 0; i <= kMaxEventIterations; ++i) {
     const Target target = plan.target(t);
     linearize(*model_, state, target, here_);
@@ -47,9 +47,15 @@ bool EventNewton::solve(const StepPlan& plan, const Asked& asked, const NewtonOp
       continue;
     }
     if (std::abs(along) > last || !retract(*model_, state, correction_, 1, trial_)) return false;
+    // Corrections that shrink like this leave less than the next one, which need not be computed.
+    const double shrinks = i > 0 ? step_.norm(correction_) / length : 1;
+    length = step_.norm(correction_);
+    const bool small = shrinks <= kEventContraction && shrinks * length <= kEventError &&
+                       shrinks * std::abs(along) <= kEventContraction * asked.tolerance;
     last = std::max(std::abs(along), asked.tolerance);
     std::swap(state, trial_);
     t += along;
+    if (small && !raise_layer_levels(*model_, here_, state)) return true;
   }
   return false;
 }

@@ -20,12 +20,12 @@
 #include "genu/path/change_drivers.h"
 #include "genu/path/fields.h"
 #include "genu/path/path_follower.h"
+#include "genu/path/path_turn.h"
+#include "genu/path/raised_loads.h"
 #include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr const char* kTurnsBack = "the path turns back before this pose";
 
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
 
@@ -92,6 +92,7 @@ class PathRun {
     approaching_ = true;
     report_ = step_ == 1 ? solver_.settle_cold(pose_, plan.target(0)) : settle_freed(solver_, pose_, plan.target(0));
     result_.iterations += report_.iterations;
+    if (step_ == 1 && report_.status != PoseStatus::ok && begin_lighter(plan, step)) return true;
     if (report_.status != PoseStatus::ok) {
       if (settle_past_flaw(step, report_)) return true;
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
@@ -114,6 +115,22 @@ class PathRun {
     report_ = follower_.report();
     approaching_ = false;
     return true;
+  }
+
+  /// Where no pose is found at the start under all loads: finds one at the step's first values, with a part of the
+  /// loads first.
+  bool begin_lighter(const StepPlan& approach, const StepPlan& step) {
+    if (report_.status == PoseStatus::flawed_mesh) return false;
+    RaisedLoads raised = raise_loads(solver_, options_, approach, step, pose_);
+    result_.substeps += raised.substeps;
+    result_.iterations += raised.iterations;
+    if (raised.borne == 0) return false;
+    pose_ = std::move(raised.pose);
+    report_ = raised.report;
+    approaching_ = !raised.all();
+    if (raised.turn) emit(*raised.turn);
+    if (!raised.all()) result_.borne_loads = raised.borne;
+    return raised.all();
   }
 
   /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start
@@ -236,24 +253,13 @@ class PathRun {
   void explain_end(const StepPlan& step, int k, double t) {
     PoseReport report = follower_.failure();
     pose_ = follower_.pose();
-    if (follower_.turning_back()) {
-      const auto limit = limit_point(step);
-      if (limit) {
-        emit(*limit);
-        report.status = PoseStatus::no_equilibrium;  // what the last trial met lies beyond the end
-      }
-      report.why =
-          limit ? kTurnsBack : "the path is too steep before this pose; control = \"arc_length\" may follow it";
-    } else if (report.status == PoseStatus::chatter) {
-      ArcLengthFollower follower(solver_, options_, follower_.law_events(), {{}, {}, observer_.cancelled});
-      const auto turn = follower.turn_at_a_change(step, follower_.pose(), follower_.report(), follower_.t());
-      result_.iterations += follower.iterations();
-      if (turn) {
-        emit(turn_at(step, turn->at.t, turn->at.pose.state));
-        report.status = PoseStatus::no_equilibrium;
-        report.why = kTurnsBack;
-      }
+    const PathTurn turn = find_turn(solver_, options_, follower_, step, step_);
+    result_.iterations += turn.iterations;
+    if (turn.event) {
+      emit(*turn.event);
+      report.status = PoseStatus::no_equilibrium;  // what the last trial met lies beyond the end
     }
+    if (!turn.why.empty()) report.why = turn.why;
     if (follower_.no_rest().status == PoseStatus::over_edge && !report.why.empty())
       report.why += "; " + follower_.no_rest().why;
     const auto [distance, angle] = follower_.snap();
@@ -266,22 +272,6 @@ class PathRun {
       if (!follower_.law_jump().empty()) report.why += ", as the force drops of ligament " + follower_.law_jump();
     }
     fail(step, k, t, report, "");
-  }
-
-  PathEvent turn_at(const StepPlan& step, double t, const State& state) const {
-    constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
-    return {PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
-  }
-
-  /// The limit point: located by arc length if possible, else the last pose. None where the path is nearly vertical and
-  /// continues.
-  std::optional<PathEvent> limit_point(const StepPlan& step) {
-    ArcLengthFollower follower(solver_, options_, follower_.law_events(), {});
-    const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kLimitReach);
-    result_.iterations += follower.iterations();
-    if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
-    if (follower.here().at.t > follower_.t() + options_.smallest_increment) return {};
-    return turn_at(step, follower_.t(), follower_.pose().state);
   }
 
   void hand_over(const StepPlan& step, int k) {

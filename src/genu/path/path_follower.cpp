@@ -202,13 +202,14 @@ bool PathFollower::events_without_end() {
 bool PathFollower::pass_event(double t, Attempt violated) {
   constexpr double kNoSide = std::numeric_limits<double>::infinity();
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
-  while (bracket.open()) {
+  for (bool first = true; bracket.open(); first = false) {
     // A single ligament at a break: its length is smooth there, and the secant gives the distance past the break.
     const double worst_there = violated.findings.worst;
     if (t == bracket.high() && violated.findings.only_left_piece() && std::isfinite(inside_) && inside_ > 0 &&
         -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there))
       break;
-    const double middle = bracket.next();
+    const double place = first && violated.findings.only_left_piece() ? place_of_change(t, violated) : bracket.next();
+    const double middle = std::clamp(place, bracket.low(), bracket.high());
     Attempt trial = attempt(middle);
     const double worst = trial.findings.worst;
     const bool valid = trial.report.newton.converged() && trial.valid() && !passes_through(trial);

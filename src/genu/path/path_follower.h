@@ -110,6 +110,9 @@ class PathFollower {
   PoseReport rest_at(double t, bool seeded, Balanced& next);
   bool snap_to(double t, bool seeded);
   bool pass_event(double t, Attempt violated);
+  /// Where between here and a pose solved at `t` its only changed ligament or touch changes, by the cubic of the path;
+  /// in the middle where that is not known.
+  double place_of_change(double t, const Attempt& violated);
   /// Whether events follow each other too closely to continue.
   /// Where a path over surfaces ends this one: names it. Always false.
   bool says_what_slips();

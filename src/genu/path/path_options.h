@@ -25,6 +25,8 @@ struct PathResult {
   int substeps = 0;
   int iterations = 0;
   double worst_residual = 0;
+  /// Where no first pose is found under all loads: the part of them that is borne (raised_loads.h); else 0.
+  double borne_loads = 0;
 };
 
 struct PathObserver {

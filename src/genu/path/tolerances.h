@@ -2,6 +2,7 @@
 // from these headers: [unit], bound, what fails first if the value is wrong.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <numbers>
 
@@ -103,6 +104,13 @@ inline constexpr double kMaxArcCorrection = 0.5;
 /// [1] Newton iterations to an event. Fails first: if too small, bisection instead (time).
 inline constexpr int kMaxEventIterations = 8;
 
+/// [1] Ratio of two corrections from which the next one is foretold. Fails first: if too large, events are inexact
+/// where convergence is slow.
+inline constexpr double kEventContraction = 0.1;
+
+/// [length scale, rad] Foretold correction that is not computed. Fails first: if too large, events are inexact.
+inline constexpr double kEventError = 1e-11;
+
 // flutter_tolerance
 
 /// [substep] How near the beginning of a flutter is located where elastic layers act. Fails first: if too small,
@@ -122,10 +130,6 @@ inline constexpr int kRestRows = 16;
 
 /// [rows] Unsolved rows in a row that are stepped over. Fails first: if too large, time on a path that has ended.
 inline constexpr int kMaxSkippedRows = 3;
-
-/// [step] How far beyond the last pose a limit point is looked for. Fails first: if too small, limit points are not
-/// reported.
-inline constexpr double kLimitReach = 0.5;
 
 // path_follower
 
@@ -199,6 +203,10 @@ inline constexpr double kLeapDistance = 1e-6;
 /// Fails first: if too small, limit points are missed.
 inline constexpr double kVanishingShare = 1e-3;
 
+/// [substep] How near the place of a change is found on the cubic of the path. Fails first: if too large, more poses
+/// are solved to locate it (time).
+inline constexpr double kPlaceOfChange = 1e-8;
+
 /// [step] Distance from the last pose for which its contacts are the start. Fails first: if too large, wasted
 /// iterations.
 inline constexpr double kNearLastPose = 0.1;
@@ -211,6 +219,27 @@ inline constexpr double kShortestSpan = 1e-7;
 /// [1] Difference of the tangent over the last one, above which extrapolation stops. Fails first: if too large, poor
 /// predictions at breaks (time).
 inline constexpr double kSmoothShare = 0.2;
+
+// path_turn
+
+/// [step] How far beyond the last pose a limit point is looked for. Fails first: if too small, limit points are not
+/// reported.
+inline constexpr double kLimitReach = 0.5;
+
+/// [smallest increment] Distance of a limit point from the last pose within which it ends the path although the
+/// symmetric part of the stiffness does not vanish there. Fails first: if too large, a limit point of another branch is
+/// reported.
+inline constexpr double kNearTurn = 100;
+
+// raised_loads
+
+/// [loads] Parts of them under which a first pose is sought where none is found under all. Fails first: if too large,
+/// none is found.
+inline constexpr std::array<double, 4> kFirstParts = {0.3, 0.1, 0.03, 0.01};
+
+/// [loads] Smallest step by which they are raised. Fails first: if too large, a steep path passes for ended; if too
+/// small, time.
+inline constexpr double kLoadIncrement = 1e-5;
 
 // starts
 

@@ -114,7 +114,7 @@ struct RunSummary {
   int fewest_contacts = 0, most_contacts = 0;
   int iterations = 0, substeps = 0;
   double worst_residual = 0;
-  double bearable_loads = 0;  ///< of all, where there is no first pose under all of them (appraise/overload.h)
+  double bearable_loads = 0;  ///< of all, where there is no first pose under all of them (path/raised_loads.h)
   double smallest_force = 0;  ///< N, +infinity without contact
   double smallest_gap = 0;    ///< m, +infinity without contact
   std::vector<ContactLocation> locations;               ///< of pairs with a noisy mesh

@@ -111,8 +111,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
   out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   out.prescribed = prescribed_columns(prepared);
-  out.summary = appraise(prepared, field, out, out.poses,
-                         stoppable(path_options(prepared.scene, options).newton, options.cancelled));
+  out.summary = appraise(prepared, out, out.poses);
   return out;
 }
 
