@@ -118,7 +118,7 @@ TEST_F(Verdict, OverloadedLayersAreNoMatterOfWhereToStart) {
   expect_said("Start nearer to equilibrium");
   summary.bearable_loads = 0.1;
   EXPECT_EQ(said().find("Start nearer"), std::string::npos) << said();
-  expect_said("The joint balances here under 0.1 of its loads");
+  expect_said("The joint balances here under 0.1 of its loads at the start");
   summary.bearable_loads = 0;
   records.insert(records.begin(), PoseRecord{});
   records[0].point.report.status = PoseStatus::ok;

@@ -31,7 +31,7 @@ RaisedLoads raised(const test::SceneModel& s) {
 TEST(RaisedLoads, EndAtTheFirstValuesOfTheStepUnderAllOfThem) {
   const auto s = test::scene_model(pressed_ball("1000"));
   const RaisedLoads found = raised(s);
-  EXPECT_TRUE(found.all());
+  EXPECT_TRUE(found.all);
   EXPECT_EQ(found.report.status, PoseStatus::ok);
   const test::Followed w = test::follow(s);
   ASSERT_TRUE(w.result.complete) << w.story();

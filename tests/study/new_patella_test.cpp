@@ -12,10 +12,12 @@
 #include "genu/atlas/fitted_patella.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/mesh_files/stl_writer.h"
+#include "genu/study/new_edit.h"
 #include "genu/study/new_scene.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
 #include "support/drawn_knee.h"
+#include "support/places.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
@@ -159,6 +161,21 @@ TEST(NewPatella, OtherMeshesAreNamed) {
   EXPECT_TRUE(contains(why_refused(folder / "behind.stl"), "mm behind the middle of the tibia's plateau"));
   put(test::kLeskovar + "patella.stl", folder / "far.stl", Eigen::Isometry3d(Eigen::Translation3d(0.1, 0, 0)));
   EXPECT_TRUE(contains(why_refused(folder / "far.stl"), "mm from the femur: is it the patella, in the frame"));
+}
+
+/// Written again without its patella, a scene would keep changes of tables that are gone.
+TEST(NewPatella, IsAskedForAgain) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "knee");
+  const NewSceneFiles files{folder / "knee", "knee"};
+  const std::string scene = test::read_file(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
+  std::ofstream(files.scene()) << scene;
+  std::ofstream(files.written()) << written_copy(scene + "\n[body.patella]\n");
+  Diagnostics out;
+  EXPECT_FALSE(read_earlier(files, false, out));
+  EXPECT_TRUE(contains(test::messages(out), "has a patella: give --patella again")) << test::messages(out);
+  Diagnostics nothing;
+  EXPECT_TRUE(read_earlier(files, true, nothing)) << test::messages(nothing);
 }
 
 /// Only those between femur and patella that strain too much get a length: their longest, strained by 0.08.

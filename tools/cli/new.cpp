@@ -94,7 +94,7 @@ void add_new(CLI::App& command, int& exit_code) {
   command
       .add_option(
           "--kind", arguments->kind,
-          "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings; hip, ankle, finger, "
+          "analytic: a knee of formulas; stl: from meshes of a knee; motion: a shank that swings; hip, ankle, finger, "
           "jaw, total-knee: these joints of formulas. Where it is not given: stl with meshes, else analytic")
       ->check(CLI::IsMember(kinds));
   command

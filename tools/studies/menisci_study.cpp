@@ -91,7 +91,8 @@ Files menisci_files(const MenisciStudy& study) {
   std::string text =
       "# A knee with its menisci, driven by a force on the tibia\n\n"
       "Written by `studies menisci meshes` (`tools/figures`); do not edit.\n\n"
-      "Guess et al. (2010) drove a knee that ligaments and menisci hold by a force on the tibia, forward and backward. "
+      "Guess et al. (2010) drove a knee, held by ligaments and menisci, with a force on the tibia, forward and "
+      "backward. "
       "Leskovar et al.\n(2019) replaced such a knee by two hinges, driven by a torque, and found its angle steeper "
       "than "
       "their sine. Here both are beside\neach other: `scene-driven.toml`, a measured knee with both menisci as bodies, "

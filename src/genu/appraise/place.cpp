@@ -50,7 +50,7 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
     }
   const std::string& text = varying.empty() ? held : varying;
   if (const double part = plan == nullptr ? part_of_loads(prepared, target) : 1; part < 1)
-    return fmt::format("{}{}{:.4g} of the loads", text, text.empty() ? "" : " under ", part);
+    return fmt::format("{}{}{:.4g} of the loads at the start", text, text.empty() ? "" : " under ", part);
   return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
 }
 

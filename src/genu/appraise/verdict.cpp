@@ -143,11 +143,12 @@ std::string advice_without_pose(const Prepared& prepared, const PosePoint& point
 std::string overload_advice(double part, bool turned_back) {
   if (turned_back)
     return fmt::format(
-        "The joint balances here under {:.4g} of its loads and no more. Lower them, begin at another value of what is "
+        "The joint balances here under {:.4g} of its loads at the start. Lower them, begin at another value of what is "
         "prescribed, or add what holds the joint.",
         part);
   return fmt::format(
-      "The joint balances here under {:.4g} of its loads, but the layers do not carry all of them. Use stiffer or "
+      "The joint balances here under {:.4g} of its loads at the start, but the layers may not carry all of them. Use "
+      "stiffer or "
       "thicker layers (`modulus`, `thickness`, `search_depth`).",
       part);
 }
@@ -330,11 +331,9 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   for (const PathEvent& e : events) {
     turned_back = turned_back || e.kind == PathEvent::Kind::turns_back;
     if (e.kind == PathEvent::Kind::turns_back)
-      out.push_back(fmt::format(
-          "The path turns back at {}{} (limit point): the smallest stiffness reaches 0 (or, where a contact "
-          "opens, jumps below 0), and no equilibrium lies beyond. Prescribe another coordinate, or use "
-          "control = \"arc_length\".",
-          place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
+      out.push_back(fmt::format("The path turns back at {}{} (limit point): no equilibrium lies beyond.{}",
+                                place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e)),
+                                e.step == 0 ? "" : " Prescribe another coordinate, or use control = \"arc_length\"."));
     if (e.kind == PathEvent::Kind::limit_point)
       out.push_back(fmt::format("Limit point at {}{}: the path turns back and is {}.",
                                 place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e)),

@@ -73,7 +73,7 @@ FittedPatella fit_reference_patella(const PatellaMeshes& meshes, const FittedKne
   FittedPatella out;
   out.median = found.median;
   out.matched = found.matched;
-  const bool articular = &meshes.touches == &meshes.bone;
+  const bool articular = &meshes.touches == &meshes.bone && explained(found, target) > kAllArticular;
   for (const PatellaFibre& fibre : reference.fibres) {
     const Vec3 place = placed(fibre.patella);
     const double error = std::hypot(kPeopleDiffer, found.median, kErrorBeyond * distance_to(found.mapped, place));

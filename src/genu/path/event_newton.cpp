@@ -50,7 +50,7 @@ bool EventNewton::solve(const StepPlan& plan, const Asked& asked, const NewtonOp
     // Corrections that shrink like this leave less than the next one, which need not be computed.
     const double shrinks = i > 0 ? step_.norm(correction_) / length : 1;
     length = step_.norm(correction_);
-    const bool small = shrinks <= kEventContraction && shrinks * length <= kEventError &&
+    const bool small = model_->layers.empty() && shrinks <= kEventContraction && shrinks * length <= kEventError &&
                        shrinks * std::abs(along) <= kEventContraction * asked.tolerance;
     last = std::max(std::abs(along), asked.tolerance);
     std::swap(state, trial_);

@@ -127,10 +127,11 @@ class PathRun {
     if (raised.borne == 0) return false;
     pose_ = std::move(raised.pose);
     report_ = raised.report;
-    approaching_ = !raised.all();
+    approaching_ = !raised.all;
+    for (const PathEvent& event : raised.events) emit(event);
     if (raised.turn) emit(*raised.turn);
-    if (!raised.all()) result_.borne_loads = raised.borne;
-    return raised.all();
+    if (!raised.all) result_.borne_loads = raised.borne;
+    return raised.all;
   }
 
   /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start

@@ -14,6 +14,29 @@ bool follow(PathFollower& follower, const StepPlan& plan, const Balanced& from, 
   return plan.varies_nothing() || follower.advance_to(1);
 }
 
+/// From the pose at the step's first values under `part` of the loads to all of them. What it finds is kept where it
+/// bears more than what `out` has.
+void raise_from_there(ActiveSetSolver& solver, const PathOptions& options, const StepPlan& raise, double part,
+                      const Balanced& pose, const PoseReport& report, PathFollower& follower, RaisedLoads& out) {
+  const bool all = follow(follower, raise, pose, report);
+  std::optional<PathEvent> turn;
+  if (!all) {
+    PathTurn found = find_turn(solver, options, follower, raise, 0);
+    out.iterations += found.iterations;
+    if (found.event && found.event->t < 1) turn = std::move(found.event);
+  }
+  const double reached = all ? 1 : (turn ? turn->t : follower.t()), borne = part + (1 - part) * reached;
+  if (!all && borne <= out.borne) return;
+  out.all = all;
+  out.borne = borne;
+  out.pose = follower.pose();
+  out.report = all ? follower.report() : follower.failure();
+  out.turn = std::move(turn);
+  if (!out.turn) return;
+  out.report.status = PoseStatus::no_equilibrium;
+  out.report.why = fmt::format("the path turns back under {:.4g} of the loads at the start", borne);
+}
+
 }  // namespace
 
 RaisedLoads raise_loads(ActiveSetSolver& solver, const PathOptions& options, const StepPlan& approach,
@@ -23,7 +46,6 @@ RaisedLoads raise_loads(ActiveSetSolver& solver, const PathOptions& options, con
   PathOptions quiet = options;
   quiet.locate_law_breaks = false;
   quiet.smallest_increment = kLoadIncrement;
-  const std::function<void(PathEvent)> nobody = [](const PathEvent&) {};
   for (const double part : kFirstParts) {
     StepPlan there = approach, raise = step;  // to the first values of the step; from there on
     for (auto& f : there.factors) f = {part * f.to, part * f.to};
@@ -37,30 +59,18 @@ RaisedLoads raise_loads(ActiveSetSolver& solver, const PathOptions& options, con
     PoseReport report = solver.settle_cold(pose, there.target(0));
     out.iterations += report.iterations;
     if (report.status != PoseStatus::ok) continue;
-    PathFollower follower(solver, quiet, nobody);
-    bool arrived = follow(follower, there, pose, report);
-    out.borne = part;
+    std::vector<PathEvent> events;
+    PathFollower follower(solver, quiet, [&](PathEvent event) { events.push_back(std::move(event)); });
+    const bool arrived = follow(follower, there, pose, report);
     if (arrived) {
       pose = follower.pose();
       report = follower.report();
-      arrived = follow(follower, raise, pose, report);
-      out.borne = arrived ? 1 : part + (1 - part) * follower.t();
-      if (!arrived) {
-        PathTurn turn = find_turn(solver, quiet, follower, raise, 0);
-        out.iterations += turn.iterations;
-        if (turn.event) out.borne = part + (1 - part) * turn.event->t;
-        out.turn = std::move(turn.event);
-      }
+      raise_from_there(solver, quiet, raise, part, pose, report, follower, out);
     }
-    out.pose = follower.pose();
-    out.report = arrived ? follower.report() : follower.failure();
-    out.substeps = follower.substeps();
+    out.substeps += follower.substeps();
     out.iterations += follower.iterations();
-    if (out.turn) {
-      out.report.status = PoseStatus::no_equilibrium;
-      out.report.why = fmt::format("the path turns back under {:.4g} of the loads", out.borne);
-    }
-    return out;
+    if (out.all) out.events = std::move(events);
+    if (out.all || out.turn) return out;
   }
   return out;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "genu/path/path_options.h"
 
@@ -15,9 +16,9 @@ struct RaisedLoads {
   PoseReport report;                   ///< of the pose under all loads; else why the path to it ends
   Balanced pose;                       ///< at the first values of the step; the last one of the path
   std::optional<PathEvent> turn = {};  ///< where the path turns back
+  std::vector<PathEvent> events = {};  ///< on the way to all of them, of step 0
+  bool all = false;                    ///< all are borne: the pose is a solution at the first values of the step
   int substeps = 0, iterations = 0;
-
-  bool all() const { return borne == 1; }
 };
 
 /// From `start`, which was never solved. `approach`: of the joint to the first values of `step`.

@@ -16,7 +16,7 @@ constexpr const char* kCopyLine =
 
 std::string written_copy(const std::string& text) { return kCopyLine + text; }
 
-std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, Diagnostics& out) {
+std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, bool patella, Diagnostics& out) {
   std::error_code ignored;
   const auto mine = text_of_file(files.scene(), out);
   if (mine && !parse_scene(*mine, files.scene(), out)) return std::nullopt;
@@ -31,6 +31,10 @@ std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, Diagnostics
   const std::string line = kCopyLine;
   if (!written->starts_with(line)) {
     out.error(Code::broken_file, files.written(), "does not begin as genu wrote it: it is no copy of what genu wrote");
+    return std::nullopt;
+  }
+  if (!patella && written->find("\n[body.patella]\n") != std::string::npos) {
+    out.error(Code::meshes_needed, files.scene(), "has a patella: give --patella again");
     return std::nullopt;
   }
   return EarlierScene{written->substr(line.size()), *mine};

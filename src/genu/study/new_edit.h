@@ -29,8 +29,9 @@ struct EarlierScene {
   std::string written, mine;
 };
 
-/// Empty, with all reasons in `out`, where there is no scene, no copy of what genu wrote, or the scene has mistakes.
-[[nodiscard]] std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, Diagnostics& out);
+/// Empty, with all reasons in `out`, where there is no scene, no copy of what genu wrote, or the scene has mistakes; or
+/// a patella, and the new one has none.
+[[nodiscard]] std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, bool patella, Diagnostics& out);
 
 /// With a warning for each change of the user that the new scene does not agree with.
 MergedScene with_changes(const EarlierScene& earlier, const std::string& fresh, const std::string& file,

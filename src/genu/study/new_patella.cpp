@@ -155,7 +155,7 @@ NewPatella patella_of(const NewScene& asked, const NewBones& bones, const std::o
     lengths[length_word(fibre.name)] = fmt::format("reference_strain = {:g}", fibre.strain);
     w[length_word(fibre.name)] = "@" + length_word(fibre.name) + "@";
   }
-  return {filled_in(patella_text(), w), lengths, ramp_text(),
+  return {filled_in(patella_text(), w), lengths, ramp_text(), w["patella_unit"],
           fmt::format("{} fibres and four cables of quadriceps ({:.0f} N) of a measured knee laid on it ({})",
                       patella.fibres.size(), tension, fit)};
 }

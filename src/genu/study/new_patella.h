@@ -16,6 +16,7 @@ struct NewPatella {
   std::string text;  ///< tables of a scene, in the frame of the meshes; lengths are words between @; empty: none
   std::map<std::string, std::string> lengths;  ///< what stands for these words
   std::string ramp;                            ///< what grows with the load in the first step
+  std::string unit;                            ///< of its mesh
   std::string choice;                          ///< what was found, for the terminal
 };
 

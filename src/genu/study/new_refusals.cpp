@@ -40,7 +40,7 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   std::error_code ignored;
   const bool femur = !asked.femur.empty() || !asked.femur_any.empty();
   const bool tibia = !asked.tibia.empty() || !asked.tibia_any.empty();
-  const bool meshes = femur || tibia;
+  const bool meshes = femur || tibia || !asked.patella.empty() || !asked.patella_any.empty();
   if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
   std::vector<std::pair<const char*, std::string>> names = {{"NAME", asked.folder}, {"--landmarks", asked.landmarks}};

@@ -67,7 +67,8 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
                                                      turned)
                                        : ""));
   out.push_back(fmt::format("side        {} ({})", w.at("side"), side.why));
-  out.push_back(fmt::format("units       femur {}, tibia {}{}", w.at("femur_unit"), w.at("tibia_unit"),
+  out.push_back(fmt::format("units       femur {}, tibia {}{}{}", w.at("femur_unit"), w.at("tibia_unit"),
+                            patella.text.empty() ? "" : ", patella " + patella.unit,
                             asked.unit.empty() ? " (guessed from their size; --units decides)" : ""));
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
@@ -222,7 +223,8 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
 struct Tried {
   std::string text;
   std::optional<Solution> found;
-  std::string laxity{};  ///< what it gives, where that was tested
+  std::string laxity{};           ///< what it gives, where that was tested
+  std::string without_patella{};  ///< what the trial without it gave, where there is one
 };
 
 /// Puts the user's changes into a scene that is written again, and tries it out where it stands.
@@ -262,8 +264,11 @@ class Settling {
     if (stl && !asked_.femur_bone.empty() && !composed_.lengths.empty()) aim();
     // What moves with the patella settles without it: it changes the balance of the tibia little.
     composed_.with_patella = !composed_.patella.text.empty();
+    if (composed_.with_patella && found())
+      tried_.without_patella = fmt::format("Without the patella {} of {} poses are solved.",
+                                           found()->summary.poses_solved, found()->summary.poses_asked);
     for (int round = 0; composed_.with_patella && round < kPatellaRounds && error_.empty() && found(); ++round) {
-      trial(false);
+      patella_trial(round == 0);
       if (error_.empty() && found() && !settle_patella(found()->poses, composed_.patella.lengths)) break;
     }
     if (stl && error_.empty() && found() && !all_solved(found()->summary.exit_code) &&
@@ -277,10 +282,19 @@ class Settling {
  private:
   std::optional<Solution>& found() { return tried_.found; }
 
-  void trial(bool first) {
+  void trial(bool first) { trial(first, out_); }
+  void trial(bool first, Diagnostics& out) {
     tried_.text = composed_.whole();
     error_ = write_file_atomically(staged_, tried_.text);
-    if (error_.empty()) found() = try_out(staged_, file_, asked_, first, out_);
+    if (error_.empty()) found() = try_out(staged_, file_, asked_, first, out);
+  }
+
+  /// What is done to the patella's mesh is told once.
+  void patella_trial(bool first) {
+    Diagnostics all;
+    trial(first, all);
+    for (const Diagnostic& d : all.items())
+      if (d.severity == Diagnostic::Severity::error || d.key.starts_with("surface.patella")) out_.add(d);
   }
 
   bool settles(int round) {
@@ -338,7 +352,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnost
   }
   const NewScene& asked = *sorted;
   std::optional<EarlierScene> earlier;
-  if (asked.edit) earlier = read_earlier(files, out);
+  if (asked.edit) earlier = read_earlier(files, !asked.patella.empty(), out);
   auto composed = compose(asked, files.name, out);
   if (!composed || (asked.edit && !earlier)) return std::nullopt;
   StagedFolder staged("");  // it will be edited: never to be replaced
@@ -355,13 +369,17 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnost
   std::string error = Settling(asked, staged_files.scene(), report.file, *composed, tried, out).settle();
   if (error.empty()) {
     if (!tried.found) return std::nullopt;
-    if (!tried.laxity.empty()) report.choices.push_back("laxity      " + tried.laxity);
+    if (!tried.laxity.empty())
+      report.choices.push_back("laxity      " + tried.laxity + (composed->with_patella ? "; without the patella" : ""));
     const std::string fresh = tried.text;
     if (earlier && !keep_changes(asked, files, *earlier, tried, report, out)) return std::nullopt;
     const RunSummary& summary = tried.found->summary;
     report.poses_solved = summary.poses_solved;
     report.poses_asked = summary.poses_asked;
-    if (!all_solved(summary.exit_code)) report.verdict = summary.verdict;
+    if (!all_solved(summary.exit_code)) {
+      report.verdict = summary.verdict;
+      if (!tried.without_patella.empty()) report.verdict.push_back(tried.without_patella);
+    }
     if (earlier) {
       error = write_edited(files, *earlier, tried.text, fresh);
     } else {
