@@ -110,9 +110,10 @@ TEST(NewPieces, FilesAreSortedAndSaid) {
   EXPECT_EQ(sorted->femur_bone.text(), bone);
   EXPECT_EQ(sorted->tibia.text(), sheet);
   ASSERT_EQ(choices.size(), 1u);
-  EXPECT_EQ(choices[0], "meshes      femur: bone " + bone + ", cartilage " + sheet + "; tibia: bone " + bone +
-                            ", cartilage " + sheet +
-                            " (by their shape; --femur-cartilage, --tibia-cartilage and --patella-cartilage say otherwise)");
+  EXPECT_EQ(choices[0],
+            "meshes      femur: bone " + bone + ", cartilage " + sheet + "; tibia: bone " + bone + ", cartilage " +
+                sheet +
+                " (by their shape; --femur-cartilage, --tibia-cartilage and --patella-cartilage say otherwise)");
 
   asked.tibia_any = files({sheet});
   EXPECT_FALSE(sort_pieces(asked, choices, out));
