@@ -53,7 +53,7 @@ TEST(LayerVerdict, FewTrianglesAreTooFew) {
 }
 
 /// The pieces of a meniscus: one sentence, with the worst of them.
-TEST(LayerVerdict, ManyLayersWithTooFewAreToldAtOnce) {
+TEST(LayerVerdict, ManyLayersWithTooFewAreNamedAtOnce) {
   PlacedScene scene;
   JointModel model;
   ResultTable table;

@@ -289,7 +289,7 @@ class Settling {
     if (error_.empty()) found() = try_out(staged_, file_, asked_, first, out);
   }
 
-  /// What is done to the patella's mesh is told once.
+  /// Says once what is done to the patella's mesh.
   void patella_trial(bool first) {
     Diagnostics all;
     trial(first, all);
