@@ -7,24 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "genu/atlas/tolerances.h"
+#include "support/point_mesh.h"
 
 namespace genu {
 namespace {
 
-/// Triangles between neighbours of a reference bone would be a mesh; its own points as tiny triangles do as well.
-Mesh as_mesh(const std::vector<FacingPoint>& points, const Affine& map) {
-  Mesh mesh;
-  for (const FacingPoint& p : points) {
-    const Vec3 aside = p.normal.unitOrthogonal() * 1e-5, up = p.normal.cross(aside);
-    const bool reflects = map.linear.determinant() < 0;
-    const int first = static_cast<int>(mesh.vertices.size());
-    for (const Vec3& corner : {Vec3(p.at - aside), Vec3(p.at + aside), Vec3(p.at + up)})
-      mesh.vertices.push_back(map(corner));
-    mesh.triangles.push_back(reflects ? std::array{first, first + 2, first + 1}
-                                      : std::array{first, first + 1, first + 2});
-  }
-  return mesh;
-}
+using test::as_mesh;
 
 KneeAxes axes_of(const Affine& map, double scale) {
   const ReferenceKnee::Plateau& plateau = reference_knee().bone;

@@ -2,22 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/point_mesh.h"
+
 namespace genu {
 namespace {
 
-/// Points as tiny triangles.
-Mesh mesh_of_points(const std::vector<FacingPoint>& points, const Affine& map) {
-  Mesh mesh;
-  for (const FacingPoint& p : points) {
-    const Vec3 aside = p.normal.unitOrthogonal() * 1e-5, up = p.normal.cross(aside);
-    const int first = static_cast<int>(mesh.vertices.size());
-    for (const Vec3& corner : {Vec3(p.at - aside), Vec3(p.at + aside), Vec3(p.at + up)})
-      mesh.vertices.push_back(map(corner));
-    mesh.triangles.push_back(map.linear.determinant() < 0 ? std::array{first, first + 2, first + 1}
-                                                          : std::array{first, first + 1, first + 2});
-  }
-  return mesh;
-}
+using test::as_mesh;
 
 /// The reference itself, larger, turned, and as its mirror image; the patella lies elsewhere than in the reference.
 TEST(FittedPatella, OfItselfIsItself) {
@@ -29,8 +19,8 @@ TEST(FittedPatella, OfItselfIsItself) {
         Vec3(0.2, 0.1, -0.3)};
     const Affine aside{map.linear * Eigen::AngleAxisd(0.15, Vec3::UnitY()).toRotationMatrix(),
                        map.shift + Vec3(0.004, 0.002, 0.01)};
-    const Mesh femur = mesh_of_points(knee.femur.bone, map), tibia = mesh_of_points(knee.tibia.bone, map),
-               patella = mesh_of_points(knee.patella.cartilage, aside);
+    const Mesh femur = as_mesh(knee.femur.bone, map), tibia = as_mesh(knee.tibia.bone, map),
+               patella = as_mesh(knee.patella.cartilage, aside);
     const FittedKnee fitted =
         fit_reference_knee(femur, tibia,
                            {map.linear.col(0) / scale, map.linear.col(1) / scale, map.linear.col(2) / scale,
@@ -64,8 +54,8 @@ TEST(FittedPatella, OfARoughMeshIsPoor) {
     for (int k = 0; k < 30; ++k)
       plate.push_back({Vec3(0.045 + 0.005 * ((i + k) % 3 - 1), 0.0015 * i - 0.02, 0.0015 * k - 0.02), -Vec3::UnitX()});
   const Affine same;
-  const Mesh femur = mesh_of_points(knee.femur.bone, same), tibia = mesh_of_points(knee.tibia.bone, same),
-             mesh = mesh_of_points(plate, same);
+  const Mesh femur = as_mesh(knee.femur.bone, same), tibia = as_mesh(knee.tibia.bone, same),
+             mesh = as_mesh(plate, same);
   const FittedKnee fitted = fit_reference_knee(
       femur, tibia, {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), knee.bone.centre, knee.bone.width, 0});
   EXPECT_TRUE(fit_reference_patella({mesh, mesh, femur, tibia}, fitted).poor());

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -15,6 +14,7 @@
 #include "genu/study/new_scene.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
+#include "support/ply_vertices.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
@@ -23,22 +23,8 @@ namespace genu {
 namespace {
 
 using test::data_path;
+using test::ply_vertices;
 using test::TemporaryFolder;
-
-/// Vertices of a binary PLY file of x y z, some with normals, in its own order. m.
-std::vector<Vec3> ply_vertices(const std::string& file) {
-  const std::string bytes = test::read_file(file);
-  const std::size_t body = bytes.find("end_header\n") + 11, count = std::stoul(bytes.substr(bytes.find("vertex ") + 7));
-  const std::size_t numbers = bytes.substr(0, body).find("property float nx") == std::string::npos ? 3 : 6;
-  std::vector<Vec3> out(count);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      float x = 0;
-      std::memcpy(&x, bytes.data() + body + 4 * (numbers * i + k), 4);
-      out[i][static_cast<Eigen::Index>(k)] = 1e-3 * static_cast<double>(x);
-    }
-  return out;
-}
 
 /// Of each fibre between femur and tibia its two vertices.
 std::map<std::string, std::array<std::size_t, 2>> vertices_of_fibres() {

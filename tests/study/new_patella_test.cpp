@@ -3,7 +3,6 @@
 #include "genu/study/new_patella.h"
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <regex>
 
@@ -18,6 +17,7 @@
 #include "support/data.h"
 #include "support/drawn_knee.h"
 #include "support/places.h"
+#include "support/ply_vertices.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
@@ -27,6 +27,7 @@ namespace {
 
 using test::contains;
 using test::data_path;
+using test::ply_vertices;
 using test::TemporaryFolder;
 
 Mesh mesh_in(const std::string& file) {
@@ -63,21 +64,6 @@ std::map<std::string, std::array<std::size_t, 2>> vertices_of_bands() {
   return out;
 }
 
-/// Vertices of a binary PLY of x y z, some with normals, in its own order. m
-std::vector<Vec3> vertices_of(const std::string& file) {
-  const std::string bytes = test::read_file(file);
-  const std::size_t body = bytes.find("end_header\n") + 11, count = std::stoul(bytes.substr(bytes.find("vertex ") + 7));
-  const std::size_t numbers = contains(bytes.substr(0, body), "property float nx") ? 6 : 3;
-  std::vector<Vec3> out(count);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      float x = 0;
-      std::memcpy(&x, bytes.data() + body + 4 * (numbers * i + k), 4);
-      out[i][static_cast<Eigen::Index>(k)] = 1e-3 * static_cast<double>(x);
-    }
-  return out;
-}
-
 /// Half of the insertions within 4 mm of where the model has them, 95 % within 9 mm, as of the other ligaments; on
 /// the femur and the patella. (The tendon's end on these tibiae lies below what the reference has of one.)
 TEST(NewPatella, InsertsWhereTheShapeModelHasIt) {
@@ -95,7 +81,8 @@ TEST(NewPatella, InsertsWhereTheShapeModelHasIt) {
         femur, tibia, {layout->anterior, layout->proximal, layout->right, layout->centre, layout->width, layout->gap});
     const FittedPatella fitted = fit_reference_patella({cartilage, patella, femur, tibia}, knee);
     EXPECT_FALSE(fitted.poor()) << name;
-    const std::vector<Vec3> on_femur = vertices_of(ssm(name, "Femur")), on_patella = vertices_of(ssm(name, "Patella"));
+    const std::vector<Vec3> on_femur = ply_vertices(ssm(name, "Femur")),
+                            on_patella = ply_vertices(ssm(name, "Patella"));
     for (std::size_t i = 0; i < fitted.fibres.size(); ++i) {
       const PatellaFibre& fibre = reference_knee().patella.fibres[i];
       const auto [first, second] = truth.at(fibre.name);
