@@ -1,6 +1,7 @@
 #include "genu/core/least_squares.h"
 
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +101,38 @@ TEST(LeastSquares, NoStepIsLongerThanAllowed) {
   EXPECT_TRUE(converged(r.stop)) << to_string(r.stop);
   EXPECT_LE(longest, 0.1 * (1 + 1e-12));
   EXPECT_LT((r.x - Vec2(1, 1)).norm(), 1e-7);
+}
+
+/// Of a linear problem within bounds, which is convex: no unknown that is free, or could come back from its bound, has
+/// a gradient that would lower the sum of squares.
+TEST(LeastSquares, UnknownsLeaveBoundsThatTheyWereStoppedAt) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto drawn = [&](Eigen::Index rows, Eigen::Index columns) {
+    return MatX(MatX::NullaryExpr(rows, columns, [&]() { return uniform(random); }));
+  };
+  int at_bounds = 0;
+  for (int k = 0; k < 300; ++k) {
+    const MatX J = drawn(9, 6);
+    const VecX y = 2 * drawn(9, 1);
+    LeastSquaresProblem problem;
+    problem.residuals = [&](const VecX& x) { return std::optional<VecX>(J * x - y); };
+    problem.jacobian = [&](const VecX&) { return std::optional<MatX>(J); };
+    LeastSquaresOptions options;
+    options.lower = VecX::Constant(6, -0.3);
+    options.upper = VecX::Constant(6, 0.3);
+    const VecX start = 0.3 * drawn(6, 1).cwiseSign();
+    const LeastSquaresResult found = least_squares(problem, start, options);
+    ASSERT_TRUE(converged(found.stop)) << to_string(found.stop);
+    const VecX gradient = J.transpose() * (J * found.x - y);
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const bool low = found.x[i]<options.lower[i] + 1e-12, high = found.x[i]> options.upper[i] - 1e-12;
+      at_bounds += low || high ? 1 : 0;
+      EXPECT_GT(gradient[i], high ? -1e300 : -1e-4) << "problem " << k << ", unknown " << i;
+      EXPECT_LT(gradient[i], low ? 1e300 : 1e-4) << "problem " << k << ", unknown " << i;
+    }
+  }
+  EXPECT_GT(at_bounds, 300);
 }
 
 TEST(LeastSquares, EveryReasonToStop) {

@@ -94,6 +94,24 @@ class LeastSquaresSearcher {
     return stopped;
   }
 
+  /// Unknown by unknown to the least of the linearised problem within the bounds: one that was stopped at its bound may
+  /// leave it again.
+  void release(const MatX& scaled, const VecX& measure, double damping, VecX& z) const {
+    const MatX normal = scaled.transpose() * scaled;
+    VecX gradient = scaled.transpose() * result_.residuals + normal * z + damping * z;
+    for (int sweep = 0; sweep < kReleaseSweeps; ++sweep)
+      for (Eigen::Index k = 0; k < z.size(); ++k) {
+        const double curvature = normal(k, k) + damping;
+        if (!(curvature > 0)) continue;
+        double dx = (z[k] - gradient[k] / curvature) / measure[k];
+        cut_at_bound(k, dx);
+        const double change = dx * measure[k] - z[k];
+        z[k] += change;
+        gradient += change * normal.col(k);
+        gradient[k] += change * damping;
+      }
+  }
+
   /// The damped step of the linearised problem, without the directions in which it is noise.
   VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient, double damping) const {
     const double least = std::max(options_.noise * options_.noise, 1e-30) * normal.values.maxCoeff();
@@ -110,10 +128,14 @@ class LeastSquaresSearcher {
     const VecX gradient = scaled.transpose() * result_.residuals;
     const auto normal = symmetric_eigen(MatX(scaled.transpose() * scaled));
     const double cost = result_.residuals.squaredNorm();
-    const auto step_of = [&](double damping) {
-      return has_bounds() ? bounded_step(scaled, measure, damping) : damped_step(normal, gradient, damping);
-    };
     const auto promise = [&](const VecX& z) { return -2 * z.dot(gradient) - (scaled * z).squaredNorm(); };
+    const auto step_of = [&](double damping) {
+      if (!has_bounds()) return damped_step(normal, gradient, damping);
+      const VecX z = bounded_step(scaled, measure, damping);
+      VecX better = z;
+      release(scaled, measure, damping, better);
+      return promise(better) > kReleaseGain * promise(z) ? better : z;
+    };
     // Where residuals stay large and curved, every good step is damped, and would never be short enough to tell.
     const double undamped = promise(step_of(0));
     if (undamped <= options_.reduction_tolerance * cost) return stop(Stop::flat);

@@ -26,6 +26,14 @@ inline constexpr double kCreepPromise = 0.01;
 /// count as creeping.
 inline constexpr double kCreepShare = 0.2;
 
+/// [1] Turns through all unknowns in which a step that bounds stop is made the best within them. Fails first: if too
+/// small, a fit ends at a bound that it should leave.
+inline constexpr int kReleaseSweeps = 200;
+
+/// [1] How many times as much such a step has to promise. Fails first: if too large, as above; if too small, directions
+/// without certain derivatives are stepped along.
+inline constexpr double kReleaseGain = 2;
+
 /// [1] Component of an undetermined direction (unit vector) that counts as part of it. Fails first: if too small,
 /// round-off names parameters that the data determine.
 inline constexpr double kUndeterminedShare = 1e-3;
