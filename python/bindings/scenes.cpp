@@ -204,11 +204,12 @@ std::vector<std::string> paths_from(const py::object& given) {
 }
 
 Held make(const py::object& folder, const std::string& kind, const py::object& femur, const py::object& tibia,
-          const py::object& patella, const std::string& unit, const std::string& proximal, const std::string& anterior,
-          const std::string& side) {
+          const py::object& patella, const py::object& fibula, const std::string& unit, const std::string& proximal,
+          const std::string& anterior, const std::string& side) {
   const std::string name = folder.is_none() ? std::string() : path_from(folder);
-  const api::NewScene asked{kind,     name, paths_from(femur), paths_from(tibia), paths_from(patella), unit, proximal,
-                            anterior, side};
+  const api::NewScene asked{
+      kind,     name, paths_from(femur), paths_from(tibia), paths_from(patella), paths_from(fibula), unit, proximal,
+      anterior, side};
   const py::gil_scoped_release free;
   return held(api::make(asked));
 }
@@ -340,12 +341,13 @@ SceneError with everything that is wrong.)");
              "The same of the text of a scene file. file: names it in messages; meshes are looked for in its folder.");
   module.def("new", &make, py::arg("folder") = py::none(), py::kw_only(), py::arg("kind") = "analytic",
              py::arg("femur") = py::none(), py::arg("tibia") = py::none(), py::arg("patella") = py::none(),
-             py::arg("unit") = "", py::arg("proximal") = "", py::arg("anterior") = "", py::arg("side") = "",
+             py::arg("fibula") = py::none(), py::arg("unit") = "", py::arg("proximal") = "", py::arg("anterior") = "",
+             py::arg("side") = "",
              R"(A scene to start from, as `genu new` makes it. Returns Scene.
 
 folder: made new, with the commented scene in it; None: in memory alone, of kind "analytic" or "motion".
 kind: "analytic": a knee of formulas; "stl": from meshes in one frame: `femur` and `tibia`, and `patella` where there is
-one, each the path of a bone or its cartilage or a list of paths, of both or in pieces; "motion": a shank that swings. unit: of the meshes, "mm", "m", "cm", "inch" or "um". proximal, anterior: axes of the meshes, "x" ... "-z". side: "left" or
+one, each the path of a bone or its cartilage or a list of paths, of both or in pieces, and `fibula`, of bone; "motion": a shank that swings. unit: of the meshes, "mm", "m", "cm", "inch" or "um". proximal, anterior: axes of the meshes, "x" ... "-z". side: "left" or
 "right". What is left out is found from the meshes. SceneError for what is refused.)");
 }
 

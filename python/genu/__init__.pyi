@@ -205,6 +205,7 @@ def new(
     femur: Union[_Path, Sequence[_Path], None] = None,
     tibia: Union[_Path, Sequence[_Path], None] = None,
     patella: Union[_Path, Sequence[_Path], None] = None,
+    fibula: Union[_Path, Sequence[_Path], None] = None,
     unit: str = "",
     proximal: str = "",
     anterior: str = "",

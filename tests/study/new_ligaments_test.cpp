@@ -147,7 +147,7 @@ TEST(NewLigaments, OfBonesAskewToTheirFilesAreDoubted) {
   const Knee knee = knee_of("S001");
   Meshes bone = meshes_of(knee.femur, knee.tibia);
   const auto turned = [&]() {
-    return ligaments_of(bone.femur, bone.tibia, *lay_out_knee(bone.femur, bone.tibia), false, true).turned;
+    return ligaments_of(bone.femur, bone.tibia, nullptr, *lay_out_knee(bone.femur, bone.tibia), false, true).turned;
   };
   EXPECT_FALSE(turned());
   const Mat3 turn = Eigen::AngleAxisd(0.44, Vec3(1, 1, 0.3).normalized()).toRotationMatrix();
@@ -203,13 +203,13 @@ ResultTable poses_to(double flexion, const std::string& name) {
 TEST(NewLigaments, SettleByTheirLongest) {
   const std::string name = "MCLs1";
   std::map<std::string, std::string> lengths = {{"length of " + name, "reference_strain = 0.1"}};
-  EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, {}, lengths));
+  EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, lengths));
   EXPECT_EQ(lengths.begin()->second, "slack_length = 36.79");  // 39 mm at a strain of 0.06
-  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, {}, lengths));
-  EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, {}, lengths));
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, lengths));
+  EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, lengths));
   EXPECT_EQ(lengths.begin()->second, "slack_length = 36.11");  // beyond 100 deg at 0.08
   std::map<std::string, std::string> none;
-  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, {}, none));
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, none));
 }
 
 /// The reference pose is the first that was found.

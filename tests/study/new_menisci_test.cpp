@@ -29,19 +29,9 @@ TEST(NewMenisci, RunFromTheCondylesForthAndBack) {
 
 TEST(NewMenisci, AreSlackAtFirst) {
   auto lengths = slack_menisci(raised_reference());
-  ASSERT_EQ(lengths.size(), 5u);
-  EXPECT_EQ(lengths.at("stiffness of menisci"), "stiffness = 1200");
-  lengths.erase("stiffness of menisci");
-  for (const auto& [word, text] : lengths) EXPECT_EQ(text, "slack_length = 184.61") << word;
-}
-
-TEST(NewMenisci, AreStiffenedWhereTheyHaveAWord) {
-  auto lengths = slack_menisci(raised_reference());
-  stiffen_menisci(1.4, lengths);
-  EXPECT_EQ(lengths.at("stiffness of menisci"), "stiffness = 1680");
-  std::map<std::string, std::string> none;
-  stiffen_menisci(1.4, none);
-  EXPECT_TRUE(none.empty());
+  ASSERT_EQ(lengths.size(), 8u);
+  for (const auto& [word, text] : lengths)
+    EXPECT_EQ(text, word.starts_with("stiffness") ? "stiffness = 1200" : "slack_length = 184.61") << word;
 }
 
 TEST(NewMenisci, AreNeutralInTheMeanOfTheFlexion) {

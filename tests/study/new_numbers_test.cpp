@@ -31,5 +31,10 @@ TEST(NewNumbers, ReadTheLengthThatStandsThere) {
   EXPECT_TRUE(set_slack(text, 0.0317));
 }
 
+TEST(NewNumbers, StiffnessesHaveFourDigits) {
+  EXPECT_EQ(stiffness_word("ACLam1"), "stiffness of ACLam1");
+  EXPECT_EQ(stiffness_text(1234.56), "stiffness = 1235");
+}
+
 }  // namespace
 }  // namespace genu

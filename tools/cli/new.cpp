@@ -37,9 +37,9 @@ struct NewArguments {
 /// What was typed of meshes, where no mesh is asked for: nothing is passed over in silence.
 bool says_more_than_it_uses(const CLI::App& command, const NewScene& asked, Diagnostics& out) {
   if (asked.kind == NewScene::Kind::stl) return false;
-  for (const char* option :
-       {"--femur", "--tibia", "--femur-cartilage", "--tibia-cartilage", "--patella", "--patella-cartilage", "--units",
-        "--side", "--proximal", "--anterior", "--landmarks", "--landmark-units", "--landmark-error", "--picture"})
+  for (const char* option : {"--femur", "--tibia", "--femur-cartilage", "--tibia-cartilage", "--patella",
+                             "--patella-cartilage", "--fibula", "--units", "--side", "--proximal", "--anterior",
+                             "--landmarks", "--landmark-units", "--landmark-error", "--picture"})
     if (command.count(option) > 0)
       out.add(error_at({}, Code::meshes_needed, option, {}, "belongs to a scene of meshes: --femur F --tibia T"));
   return out.has_errors();
@@ -117,6 +117,12 @@ void add_new(CLI::App& command, int& exit_code) {
   command
       .add_option("--patella-cartilage", arguments->patella_cartilage,
                   "meshes of the patella's cartilage; those of --patella are bone then")
+      ->expected(1, kMostPieces);
+  command
+      .add_option(
+          "--fibula", scene.fibula.paths,
+          "mesh of the fibula, in one file or in pieces: the lateral collateral and the popliteofibular ligament "
+          "insert on it, and it says which side is lateral")
       ->expected(1, kMostPieces);
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
       ->check(CLI::IsMember(length_unit_names()));

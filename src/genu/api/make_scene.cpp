@@ -73,6 +73,7 @@ Scene make(const NewScene& asked) {
   how.femur_any.paths = asked.femur;
   how.tibia_any.paths = asked.tibia;
   how.patella_any.paths = asked.patella;
+  how.fibula.paths = asked.fibula;
   how.unit = asked.unit;
   how.proximal = asked.proximal;
   how.anterior = asked.anterior;

@@ -132,6 +132,7 @@ struct NewScene {
   std::string kind = "analytic";  ///< "analytic", "stl", "motion"
   std::string folder = {};        ///< made new, with the scene in it; empty: in memory, of kind analytic or motion
   std::vector<std::string> femur = {}, tibia = {}, patella = {};   ///< of kind stl: files of bone, cartilage or both
+  std::vector<std::string> fibula = {};                            ///< of bone
   std::string unit = {}, proximal = {}, anterior = {}, side = {};  ///< of kind stl
 };
 Scene make(const NewScene& asked);

@@ -132,6 +132,21 @@ FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAx
   return out;
 }
 
+double put_on_fibula(const Mesh& fibula, FittedKnee& fitted) {
+  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
+  std::vector<Insertion> put = fitted.tibia.insertions;
+  double farthest = 0;
+  for (std::size_t i = 0; i < fibres.size(); ++i) {
+    if (!is_of(fibres[i], {"LCL", "PFL"}) || !put[i].given.empty()) continue;
+    const Vec3 foot = nearest_on_mesh(fibula, put[i].at);
+    farthest = std::max(farthest, (foot - put[i].at).norm());
+    put[i].at = foot;
+    put[i].on_mesh = true;
+  }
+  if (farthest <= kOntoFibula) fitted.tibia.insertions = std::move(put);
+  return farthest;
+}
+
 double turned_against(const FittedKnee& fitted, const KneeAxes& axes) {
   Mat3 frame;
   frame << axes.anterior, axes.proximal, axes.lateral;

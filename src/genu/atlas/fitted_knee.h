@@ -47,6 +47,10 @@ struct FittedKnee {
 /// bones.
 FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAxes& axes);
 
+/// Puts the insertions of the lateral collateral and the popliteofibular ligament onto the mesh of the fibula, but for
+/// those that are given. m: how far the farthest of them was from it; beyond kOntoFibula nothing is changed.
+double put_on_fibula(const Mesh& fibula, FittedKnee& fitted);
+
 /// rad: how far both bones are turned against `axes`, at least.
 double turned_against(const FittedKnee& fitted, const KneeAxes& axes);
 

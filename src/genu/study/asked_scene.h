@@ -18,6 +18,7 @@ struct NewScene {
   PieceFiles femur_any{}, tibia_any{};    ///< in their place: bone and cartilage, told apart by shape (new_pieces.h)
   PieceFiles patella{}, patella_bone{};   ///< the same of the patella; all empty: the scene has none
   PieceFiles patella_any{};
+  PieceFiles fibula{};                 ///< bone, on the tibia; empty: the scene has none
   std::string text{};                  ///< the scene of kind given, which names no files
   std::string unit{};                  ///< of kLengthUnits, of these files; empty: guessed from their size
   std::string proximal{}, anterior{};  ///< "x", "-x", ... in that frame; empty: guessed from the meshes

@@ -15,6 +15,7 @@ struct LaxityChoice {
   std::vector<LaxityTest> tests;  ///< at most one of each kind
   double compression = 0;         ///< N, in all poses
   int increments = 10;            ///< from 0 to the full load
+  bool back = true;               ///< false: from the neutral pose to each full load alone
   bool envelope = false;          ///< the full loads are held while the knee bends as well
   Cancelled cancelled;
 };

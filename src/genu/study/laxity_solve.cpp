@@ -202,14 +202,19 @@ class LaxityTester {
     const int n = choice_.increments;
     const double full = test.load;
     std::string ended;
-    made.rows = rows_of(own, test, angle, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
+    std::vector<Leg> legs = {{0, full, n}};
+    if (choice_.back) legs.insert(legs.end(), {{full, -full, 2 * n}, {-full, 0, n}});
+    made.rows = rows_of(own, test, angle, legs, ended);
     if (!ended.empty()) made.ended.push_back(ended);
+    if (made.rows.empty()) return made;
     // A path that ended before it came back to zero has not seen the other direction.
-    if (ended.empty() || made.rows.empty() || made.rows.size() > 2 * static_cast<std::size_t>(n)) return made;
+    if (choice_.back && (ended.empty() || made.rows.size() > 2 * static_cast<std::size_t>(n))) return made;
     ended.clear();
-    const auto back = rows_of(own, test, angle, {{0, -full, n}, {-full, 0, n}}, ended);
+    legs = {{0, -full, n}};
+    if (choice_.back) legs.push_back({-full, 0, n});
+    const auto other = rows_of(own, test, angle, legs, ended);
     if (!ended.empty()) made.ended.push_back(ended);
-    made.rows.insert(made.rows.end(), back.begin() + (back.empty() ? 0 : 1), back.end());
+    made.rows.insert(made.rows.end(), other.begin() + (other.empty() ? 0 : 1), other.end());
     return made;
   }
 

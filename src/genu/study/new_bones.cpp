@@ -40,11 +40,13 @@ std::optional<NewBones> read_new_bones(const NewScene& asked, Diagnostics& out) 
   NewBones bones;
   for (const auto& [files, bone] :
        {std::pair(&asked.femur_bone, &bones.femur_bone), std::pair(&asked.tibia_bone, &bones.tibia_bone),
-        std::pair(&asked.patella, &bones.patella), std::pair(&asked.patella_bone, &bones.patella_bone)})
+        std::pair(&asked.patella, &bones.patella), std::pair(&asked.patella_bone, &bones.patella_bone),
+        std::pair(&asked.fibula, &bones.fibula)})
     if (!files->empty()) *bone = read_new_bone(*files, asked.unit, out);
   if (out.has_errors() || !femur || !tibia) return std::nullopt;
   if (!check_spaces(*femur, asked.femur, *tibia, asked.tibia, out) ||
-      (bones.patella && !check_spaces(*femur, asked.femur, *bones.patella, asked.patella, out)))
+      (bones.patella && !check_spaces(*femur, asked.femur, *bones.patella, asked.patella, out)) ||
+      (bones.fibula && !check_spaces(*femur, asked.femur, *bones.fibula, asked.fibula, out)))
     return std::nullopt;
   bones.femur = std::move(*femur);
   bones.tibia = std::move(*tibia);

@@ -21,6 +21,7 @@ struct NewBones {
   NewBone femur, tibia;
   std::optional<NewBone> femur_bone, tibia_bone;
   std::optional<NewBone> patella, patella_bone;
+  std::optional<NewBone> fibula;
 
   const Mesh& femur_shape() const { return femur_bone ? femur_bone->mesh : femur.mesh; }
   const Mesh& tibia_shape() const { return tibia_bone ? tibia_bone->mesh : tibia.mesh; }

@@ -39,41 +39,19 @@ constexpr StartLigament kLigaments[] = {
 struct BundleName {
   const char *name, *words;
   double strain;
-  enum class Aim { none, anterior, posterior, sideways, rotation } aim = Aim::none;
-
-  double aim_of(const NewKneeAims& aims) const {
-    switch (aim) {
-      case Aim::anterior:
-        return -aims.anterior;
-      case Aim::posterior:  // it still bears most of a drawer where collateral ligaments bear more
-      case Aim::sideways:
-        return aims.sideways;
-      case Aim::rotation:
-        return -aims.rotation;
-      case Aim::none:
-        break;
-    }
-    return 0;
-  }
 };
-constexpr BundleName kBundles[] = {
-    {"ACLam", "anterior cruciate, anteromedial bundle", 0.015, BundleName::Aim::anterior},
-    {"ACLpl", "anterior cruciate, posterolateral bundle", 0.025, BundleName::Aim::anterior},
-    {"PCLal", "posterior cruciate, anterolateral bundle", 0.04, BundleName::Aim::posterior},
-    {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04, BundleName::Aim::posterior},
-    {"MCLs", "medial collateral, superficial", 0.06, BundleName::Aim::sideways},
-    {"MCLd", "medial collateral, deep", 0.045, BundleName::Aim::sideways},
-    {"MCLp", "posteromedial capsule", 0.045, BundleName::Aim::rotation},
-    {"LCL", "lateral collateral", 0.08, BundleName::Aim::sideways},
-    {"PFL", "popliteofibular", 0.06, BundleName::Aim::rotation},
-    {"pCAP", "posterior capsule", 0.03}};
+constexpr BundleName kBundles[] = {{"ACLam", "anterior cruciate, anteromedial bundle", 0.015},
+                                   {"ACLpl", "anterior cruciate, posterolateral bundle", 0.025},
+                                   {"PCLal", "posterior cruciate, anterolateral bundle", 0.04},
+                                   {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04},
+                                   {"MCLs", "medial collateral, superficial", 0.06},
+                                   {"MCLd", "medial collateral, deep", 0.045},
+                                   {"MCLp", "posteromedial capsule", 0.045},
+                                   {"LCL", "lateral collateral", 0.08},
+                                   {"PFL", "popliteofibular", 0.06},
+                                   {"pCAP", "posterior capsule", 0.03}};
 
 Vec3 lateral_of(const KneeLayout& knee, bool left) { return left ? Vec3(-knee.right) : knee.right; }
-
-std::string stiffness_text(double stiffness) { return fmt::format("stiffness = {:.4g}", stiffness); }
-
-/// The word that stands for a fibre's stiffness.
-std::string stiffness_word(const std::string& fibre) { return "stiffness of " + fibre; }
 
 std::string ligament_text(const std::string& name, const std::string& from, const std::string& to,
                           const std::string& stiffness, double transition, const std::string& length) {
@@ -156,8 +134,9 @@ std::pair<double, double> errors_of(const FittedKnee& fitted) {
 
 }  // namespace
 
-NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare) {
-  const FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
+NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const Mesh* fibula, const KneeLayout& knee, bool left,
+                          bool bare) {
+  FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
   const std::string fit = fmt::format("misfit {:.2g} mm on the femur, {:.2g} mm on the tibia",
                                       1e3 * fitted.femur.median, 1e3 * fitted.tibia.median);
   if (fitted.femur.poor() || fitted.tibia.poor())
@@ -172,7 +151,9 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
                     fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched),
         {},
         {},
+        0,
         fitted.femur.median + fitted.tibia.median};
+  const double beside = fibula ? put_on_fibula(*fibula, fitted) : 0;
   const auto [low, high] = errors_of(fitted);
   return {of_reference(fitted) + menisci_text(fitted),
           lengths_of(fitted, bare ? std::max(0.0, knee.gap) : 0),
@@ -185,16 +166,14 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
           {},
           frames_of_bones(fitted),
           fitted,
+          beside,
           fitted.femur.median + fitted.tibia.median};
 }
 
-bool settle_ligaments(const ResultTable& poses, int round, const NewKneeAims& aims,
-                      std::map<std::string, std::string>& lengths) {
-  stiffen_menisci(aims.menisci, lengths);
+bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths) {
   bool any = round < kMeniscusRounds && settle_menisci(poses, lengths);
-  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
   for (const BundleName& bundle : kBundles)
-    for (const ReferenceFibre& fibre : fibres) {
+    for (const ReferenceFibre& fibre : reference_knee().fibres) {
       const std::string word = length_word(fibre.name);
       if (fibre.bundle != bundle.name || !lengths.contains(word)) continue;
       double usual = 0, most = 0;
@@ -205,11 +184,7 @@ bool settle_ligaments(const ResultTable& poses, int round, const NewKneeAims& ai
         if (poses.number(row, "knee.flexion_deg") <= kSettledFlexion) usual = std::max(usual, *length);
       }
       if (most == 0) continue;
-      if (const auto stiff = lengths.find(stiffness_word(fibre.name));
-          stiff != lengths.end() && bundle.aim == BundleName::Aim::sideways)
-        stiff->second = stiffness_text(aims.collaterals * fibre.stiffness);
-      const double strain = bundle.strain + bundle.aim_of(aims);
-      const double slack = std::max(usual / (1 + strain), most / (1 + std::max(kMostNewStrain, strain)));
+      const double slack = std::max(usual / (1 + bundle.strain), most / (1 + std::max(kMostNewStrain, bundle.strain)));
       any = set_slack(lengths[word], slack) || any;
     }
   return any;

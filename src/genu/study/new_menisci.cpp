@@ -29,8 +29,6 @@ constexpr double kMeniscusReach = 0.08, kMeniscusSplay = 0.046;
 /// has slid 8 mm further back.
 constexpr double kMeniscusStiffness = 1200, kMeniscusTransition = 0.1;
 
-constexpr const char* kMeniscusStiffnessWord = "stiffness of menisci";
-
 struct MeniscusFibre {
   std::string name;
   Vec3 femur, tibia;  ///< m
@@ -63,30 +61,25 @@ fibres = "meniscus_*"
     out += fmt::format(
         "[ligament.{}]\nfrom = {{ body = \"femur\", point = {} }}\nto = {{ body = \"tibia\", point = {} }}\n"
         "law = \"blankevoort\"\n@{}@\ntransition_strain = {:g}\n@{}@\n\n",
-        f.name, point_text(f.femur), point_text(f.tibia), kMeniscusStiffnessWord, kMeniscusTransition,
+        f.name, point_text(f.femur), point_text(f.tibia), stiffness_word(f.name), kMeniscusTransition,
         length_word(f.name));
   return out;
 }
 
 std::map<std::string, std::string> slack_menisci(const FittedKnee& fitted) {
   std::map<std::string, std::string> out;
-  for (const MeniscusFibre& f : meniscus_fibres(fitted))
+  for (const MeniscusFibre& f : meniscus_fibres(fitted)) {
     set_slack(out[length_word(f.name)], 2 * (f.tibia - f.femur).norm());
-  out[kMeniscusStiffnessWord];
-  stiffen_menisci(1, out);
+    out[stiffness_word(f.name)] = stiffness_text(kMeniscusStiffness);
+  }
   return out;
-}
-
-void stiffen_menisci(double factor, std::map<std::string, std::string>& lengths) {
-  if (const auto word = lengths.find(kMeniscusStiffnessWord); word != lengths.end())
-    word->second = fmt::format("stiffness = {:.4g}", factor * kMeniscusStiffness);
 }
 
 bool settle_menisci(const ResultTable& poses, std::map<std::string, std::string>& lengths) {
   bool any = false;
   for (auto& [word, text] : lengths) {
+    if (!word.starts_with(length_word("meniscus_"))) continue;
     const std::string fibre = word.substr(length_word("").size());
-    if (!fibre.starts_with("meniscus_")) continue;
     double sum = 0;
     int known = 0;
     for (std::size_t row = 0; row < poses.rows(); ++row)

@@ -11,14 +11,11 @@ namespace genu {
 
 /// Tables of a scene, in the frame of the meshes: two fibres to the centre of each posterior condyle, one from the
 /// front of the rim, which holds it from sliding back as the posterior horn does, and one from its rear. Their lengths
-/// are words between @.
+/// and stiffnesses are words between @.
 std::string menisci_text(const FittedKnee& fitted);
 
 /// What stands for these words in the first trial: so long that they are slack.
 std::map<std::string, std::string> slack_menisci(const FittedKnee& fitted);
-
-/// Their stiffness, in the place of its word where there is one: times `factor`.
-void stiffen_menisci(double factor, std::map<std::string, std::string>& lengths);
 
 /// Sets their lengths such that each strains by kMeniscusStrain in the mean of the poses that were found. Whether one
 /// changed by more than kSettledLength.

@@ -21,6 +21,10 @@ std::string point_text(const Vec3& p) {
 
 std::string length_word(const std::string& fibre) { return "length of " + fibre; }
 
+std::string stiffness_word(const std::string& fibre) { return "stiffness of " + fibre; }
+
+std::string stiffness_text(double stiffness) { return fmt::format("stiffness = {:.4g}", stiffness); }
+
 std::optional<double> length_in(const ResultTable& poses, std::size_t row, const std::string& fibre) {
   const std::string column = fibre + ".length_mm";
   const double length = poses.has_column(column) ? poses.number(row, column) : NAN;

@@ -16,6 +16,10 @@ bool set_slack(std::string& text, double slack);
 /// The word between @ in a text of ligaments for the length of a fibre.
 std::string length_word(const std::string& fibre);
 
+/// The word for its stiffness, and what stands for that word: N at a strain of 1.
+std::string stiffness_word(const std::string& fibre);
+std::string stiffness_text(double stiffness);
+
 /// m: the length of a fibre in a row; empty where that row was not solved, or has no such fibre.
 std::optional<double> length_in(const ResultTable& poses, std::size_t row, const std::string& fibre);
 

@@ -40,7 +40,7 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   std::error_code ignored;
   const bool femur = !asked.femur.empty() || !asked.femur_any.empty();
   const bool tibia = !asked.tibia.empty() || !asked.tibia_any.empty();
-  const bool meshes = femur || tibia || !asked.patella.empty() || !asked.patella_any.empty();
+  const bool meshes = femur || tibia || !asked.patella.empty() || !asked.patella_any.empty() || !asked.fibula.empty();
   if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
   std::vector<std::pair<const char*, std::string>> names = {{"NAME", asked.folder}, {"--landmarks", asked.landmarks}};
@@ -48,7 +48,8 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
        {std::pair("--femur", &asked.femur), std::pair("--tibia", &asked.tibia), std::pair("--femur", &asked.femur_bone),
         std::pair("--tibia", &asked.tibia_bone), std::pair("--femur", &asked.femur_any),
         std::pair("--tibia", &asked.tibia_any), std::pair("--patella", &asked.patella),
-        std::pair("--patella", &asked.patella_bone), std::pair("--patella", &asked.patella_any)})
+        std::pair("--patella", &asked.patella_bone), std::pair("--patella", &asked.patella_any),
+        std::pair("--fibula", &asked.fibula)})
     for (const std::string& path : files->paths) names.emplace_back(option, path);
   for (const auto& [what, name] : names)
     if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))

@@ -20,8 +20,8 @@
 #include "genu/study/layout_doubts.h"
 #include "genu/study/new_bones.h"
 #include "genu/study/new_edit.h"
+#include "genu/study/new_fibula.h"
 #include "genu/study/new_landmarks.h"
-#include "genu/study/new_laxity.h"
 #include "genu/study/new_ligaments.h"
 #include "genu/study/new_numbers.h"
 #include "genu/study/new_patella.h"
@@ -29,6 +29,7 @@
 #include "genu/study/new_pieces.h"
 #include "genu/study/new_refusals.h"
 #include "genu/study/new_scene_text.h"
+#include "genu/study/new_settling.h"
 #include "genu/study/new_trial.h"
 #include "genu/study/new_words.h"
 #include "genu/study/run_scene.h"
@@ -48,6 +49,8 @@ Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bone
   if (asked.left) return {*asked.left, "as you said"};
   if (landmarks.left) return {*landmarks.left, "by the names of the landmarks"};
   if (const auto left = landmarks.left_by_epicondyles(knee)) return {*left, "by the epicondyles"};
+  if (const auto left = bones.fibula ? left_by_fibula(bones.fibula->mesh, knee) : std::nullopt)
+    return {*left, "by the side of the fibula; --side says otherwise"};
   if (const auto left = seems_left(knee)) return {*left, why_this_side(knee) + "; --side says otherwise"};
   if (const auto left = fits_left(bones.femur_shape(), bones.tibia_shape(), knee))
     return {*left, "the reference knee fits better so; --side says otherwise"};
@@ -56,7 +59,8 @@ Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bone
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
                                     const KneeLandmarks& landmarks, const NewLigaments& ligaments,
-                                    const NewPatella& patella, const KneeFrames& frames, const Words& w) {
+                                    const NewPatella& patella, const std::string& fibula, const KneeFrames& frames,
+                                    const Words& w) {
   std::vector<std::string> out;
   const double turned = to::kDegree * angle_between(frames_of_files(knee), frames);
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}{}", w.at("proximal"),
@@ -73,6 +77,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
   out.push_back("ligaments   " + ligaments.choice);
+  if (!fibula.empty()) out.push_back("fibula      " + fibula);
   if (!patella.choice.empty()) out.push_back("patella     " + patella.choice);
   if (!asked.landmarks.empty()) out.push_back(landmarks_choice(landmarks, asked.landmarks));
   out.push_back("chosen      ligaments, cartilage, load: nothing in a mesh says them. Put your own there");
@@ -81,17 +86,6 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
 
 constexpr int kStartFlexion = 30;   // deg: what a start without anatomy can be asked
 constexpr int kWholeFlexion = 120;  // deg: with it
-constexpr int kSettleRounds = 8;    // trials after which ligaments stay as they are
-constexpr int kPatellaRounds = 4;   // the same of those of the patella
-constexpr int kSettlingRows = 10;   // rows of the step before it
-
-void ask_for_flexion(Words& words, int degrees, bool tried_further) {
-  words["flexion"] = fmt::format("{}", degrees);
-  words["increments"] = fmt::format("{}", std::max(degrees, 1));
-  words["flexion_note"] =
-      tried_further ? fmt::format(": beyond {} deg the trial found no pose; better ligaments lead further", degrees)
-                    : "";
-}
 
 /// False where one of them is impossible.
 bool say_all(const std::vector<LayoutDoubt>& doubts, const NewScene& asked, Diagnostics& out) {
@@ -155,24 +149,6 @@ KneeFrames frames_of(const NewScene& asked, const KneeLayout& knee, const NewLig
   return known && to::kDegree * angle_between(files, *ligaments.frames) > kAxesKept ? *ligaments.frames : files;
 }
 
-struct Composed {
-  std::string text;
-  Words words;
-  std::vector<std::string> choices;
-  std::string ligaments{};  ///< of kind stl: their text, and what stands for its words
-  Words lengths{};
-  NewPatella patella{};           ///< which comes last
-  std::optional<NewKnee> knee{};  ///< for its picture
-  bool with_patella = false;
-
-  std::string whole() {
-    words["ligaments"] = filled_in(ligaments, lengths);
-    words["patella"] = with_patella ? filled_in(patella.text, patella.lengths) : "";
-    words["patella_ramp"] = with_patella ? patella.ramp : "";
-    return filled_in(text, words);
-  }
-};
-
 std::optional<Composed> compose(const NewScene& asked, const std::string& name, Diagnostics& out) {
   Words words{{"title", toml_string_of(name)},
               {"name", toml_string_of(name)},
@@ -198,9 +174,13 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   const Side side = side_of(asked, *knee, *bones, *landmarks);
   doubt_landmarks(*landmarks, bones->femur_shape(), bones->tibia_shape(), *knee, side.left, out);
   const NewLigaments ligaments =
-      ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
+      ligaments_of(bones->femur_shape(), bones->tibia_shape(), bones->fibula ? &bones->fibula->mesh : nullptr, *knee,
+                   side.left, !bones->femur_bone);
   if (!say_all(fit_doubts(bones->femur_shape(), bones->tibia_shape(), *knee, ligaments.misfit), asked, out))
     return std::nullopt;
+  doubt_fibula(asked, *bones, *knee, side.left, out);
+  const std::string fibula =
+      bones->fibula && ligaments.fitted ? fibula_choice(asked, ligaments.beside_fibula, out) : "";
   const KneeFrames frames = frames_of(asked, *knee, ligaments);
   const bool along_files = angle_between(frames, frames_of_files(*knee)) == 0;
   for (const auto& doubt : {along_files ? ligaments.turned : std::nullopt, ligaments.doubt})
@@ -212,20 +192,12 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
   return Composed{stl_scene_text(),
                   words,
-                  choices_of(asked, *knee, side, *landmarks, ligaments, patella, frames, words),
+                  choices_of(asked, *knee, side, *landmarks, ligaments, patella, fibula, frames, words),
                   ligaments.text,
                   ligaments.lengths,
                   patella,
                   NewKnee{*bones, *knee, side.left, *landmarks, ligaments.choice, ligaments.doubt.value_or("")}};
 }
-
-/// The text of a scene that is finished, and what its trial gave.
-struct Tried {
-  std::string text;
-  std::optional<Solution> found;
-  std::string laxity{};           ///< what it gives, where that was tested
-  std::string without_patella{};  ///< what the trial without it gave, where there is one
-};
 
 /// Puts the user's changes into a scene that is written again, and tries it out where it stands.
 bool keep_changes(const NewScene& asked, const NewSceneFiles& files, const EarlierScene& earlier, Tried& tried,
@@ -243,88 +215,6 @@ bool keep_changes(const NewScene& asked, const NewSceneFiles& files, const Earli
   fs::remove(files.trial(), ignored);
   return error.empty() && tried.found;
 }
-
-/// The staged scene, written and tried out until it is as good as it gets.
-class Settling {
- public:
-  Settling(const NewScene& asked, std::string staged, std::string file, Composed& composed, Tried& tried,
-           Diagnostics& out)
-      : asked_(asked),
-        staged_(std::move(staged)),
-        file_(std::move(file)),
-        composed_(composed),
-        tried_(tried),
-        out_(out) {}
-
-  /// An error in words; empty: none.
-  std::string settle() {
-    const bool stl = asked_.kind == NewScene::Kind::stl;
-    trial(true);
-    for (int round = 0; round < kSettleRounds && settles(round); ++round) trial(false);
-    if (stl && !asked_.femur_bone.empty() && !composed_.lengths.empty()) aim();
-    // What moves with the patella settles without it: it changes the balance of the tibia little.
-    composed_.with_patella = !composed_.patella.text.empty();
-    if (composed_.with_patella && found())
-      tried_.without_patella = fmt::format("Without the patella {} of {} poses are solved.",
-                                           found()->summary.poses_solved, found()->summary.poses_asked);
-    for (int round = 0; composed_.with_patella && round < kPatellaRounds && error_.empty() && found(); ++round) {
-      patella_trial(round == 0);
-      if (error_.empty() && found() && !settle_patella(found()->poses, composed_.patella.lengths)) break;
-    }
-    if (stl && error_.empty() && found() && !all_solved(found()->summary.exit_code) &&
-        found()->summary.poses_solved > kSettlingRows) {
-      ask_for_flexion(composed_.words, found()->summary.poses_solved - kSettlingRows, true);
-      trial(false);
-    }
-    return error_;
-  }
-
- private:
-  std::optional<Solution>& found() { return tried_.found; }
-
-  void trial(bool first) { trial(first, out_); }
-  void trial(bool first, Diagnostics& out) {
-    tried_.text = composed_.whole();
-    error_ = write_file_atomically(staged_, tried_.text);
-    if (error_.empty()) found() = try_out(staged_, file_, asked_, first, out);
-  }
-
-  /// Says once what is done to the patella's mesh.
-  void patella_trial(bool first) {
-    Diagnostics all;
-    trial(first, all);
-    for (const Diagnostic& d : all.items())
-      if (d.severity == Diagnostic::Severity::error || d.key.starts_with("surface.patella")) out_.add(d);
-  }
-
-  bool settles(int round) {
-    if (!error_.empty() || !found() || !settle_ligaments(found()->poses, round, aims_, composed_.lengths)) return false;
-    refer_to_balance(composed_.words, *found());
-    return true;
-  }
-
-  /// Of bones and their cartilage: tests the knee's laxity, and changes ligaments and menisci until it is that of usual
-  /// knees.
-  void aim() {
-    for (int round = 0; error_.empty() && found() && all_solved(found()->summary.exit_code); ++round) {
-      Diagnostics ignored;
-      const auto prepared = prepare(staged_, ignored);
-      if (!prepared) return;
-      const NewKneeLaxity laxity = laxity_of_new(*prepared, asked_.cancelled);
-      tried_.laxity = laxity.text() + text_of(aims_);
-      if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) return;
-      for (int again = 0; again < kAimTrials && (settles(kMeniscusRounds) || again == 0); ++again) trial(false);
-    }
-  }
-
-  const NewScene& asked_;
-  const std::string staged_, file_;
-  Composed& composed_;
-  Tried& tried_;
-  Diagnostics& out_;
-  NewKneeAims aims_;
-  std::string error_;
-};
 
 std::string write_picture(const NewScene& asked, const Composed& composed, const Tried& tried,
                           const std::string& file) {
@@ -366,7 +256,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnost
   report.choices = pieces;
   report.choices.insert(report.choices.end(), composed->choices.begin(), composed->choices.end());
   Tried tried;
-  std::string error = Settling(asked, staged_files.scene(), report.file, *composed, tried, out).settle();
+  std::string error = settle_new_scene(asked, staged_files.scene(), report.file, *composed, tried, out);
   if (error.empty()) {
     if (!tried.found) return std::nullopt;
     if (!tried.laxity.empty())

@@ -203,7 +203,7 @@ body = "tibia"
 shape = "mesh"
 file = @tibia_file@
 units = "@tibia_unit@"@tibia_unit_how@@tibia_thickness@
-
+@fibula@
 # --- Contact: an elastic layer on each triangle of the tibia. For rigid contact on smooth surfaces write
 # model = "rigid" and take out the keys from modulus to cast_from ---
 [contact.tibiofemoral]

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/length_units.h"
+#include "genu/study/new_fibula.h"
 #include "genu/study/new_numbers.h"
 
 namespace genu {
@@ -76,6 +77,7 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const KneeFra
   w["tibia_unit"] = length_unit_name(bones.tibia.unit);
   w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, bones.femur_bone);
   w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, bones.tibia_bone);
+  w["fibula"] = fibula_text(asked, bones);
   const bool measured = !asked.femur_bone.empty();
   w["thickness"] = measured ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
   w["layer"] = measured ? "10 MPa, as thick as it lies on the bones" : "6 mm and 10 MPa in all";
@@ -90,6 +92,14 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const KneeFra
   const Vec3 press = 100 * frames.tibia_proximal;
   w["compression"] = fmt::format("[{:.4g}, {:.4g}, {:.4g}]", press.x() + 0.0, press.y() + 0.0, press.z() + 0.0);
   return w;
+}
+
+void ask_for_flexion(Words& words, int degrees, bool tried_further) {
+  words["flexion"] = fmt::format("{}", degrees);
+  words["increments"] = fmt::format("{}", std::max(degrees, 1));
+  words["flexion_note"] =
+      tried_further ? fmt::format(": beyond {} deg the trial found no pose; better ligaments lead further", degrees)
+                    : "";
 }
 
 }  // namespace genu

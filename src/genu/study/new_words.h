@@ -27,4 +27,7 @@ std::string thickness_text(const PieceFiles& files, const std::string& folder, c
 Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const KneeFrames& frames, bool left,
                     const NewBones& bones, const KneeLandmarks& landmarks);
 
+/// The motion: from 0 to `degrees`, a pose each. `tried_further`: the trial found no pose beyond.
+void ask_for_flexion(Words& words, int degrees, bool tried_further);
+
 }  // namespace genu

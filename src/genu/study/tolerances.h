@@ -177,6 +177,12 @@ inline constexpr double kFrameFits = 0.3;
 /// oblique scans get a warning.
 inline constexpr double kEpicondylesAside = 0.8;
 
+// new_fibula
+
+/// [of the tibia's width] Distance of the fibula's middle from the knee's, sideways, from which it tells the side. Fails
+/// first: if too small, a bone amid the knee decides.
+inline constexpr double kFibulaAside = 0.2;
+
 // new_laxity (the ranges are those of docs/laxity.md)
 
 /// [m] Least anterior displacement of a usual knee at 134 N. Fails first: nothing (said).
@@ -197,54 +203,89 @@ inline constexpr double kLeastRotation = 15;
 /// [deg] Largest such. Fails first: nothing (said).
 inline constexpr double kMostRotation = 50;
 
-/// [m] How far inside its range the drawer is to be. Fails first: if too small, finer steps of the test are outside.
-inline constexpr double kDrawerMargin = 0.2e-3;
+/// [m] How far inside its range the drawer is aimed at. Fails first: if too small, finer steps of the test are outside.
+inline constexpr double kDrawerMargin = 0.3e-3;
 
 /// [deg] The same of varus and valgus. Fails first: as above.
 inline constexpr double kSidewaysMargin = 0.5;
 
 /// [deg] The same of rotation. Fails first: as above.
-inline constexpr double kRotationMargin = 1;
+inline constexpr double kRotationMargin = 1.5;
 
-/// [1] Strain by which the ACL is slackened in a step. Fails first: if too small, rounds; if too large, knees become
-/// laxer than needed.
-inline constexpr double kAnteriorStep = 0.008;
+/// [mm or deg] What cutting a ligament has to add in its own direction, in the mean of the angles. Fails first: nothing
+/// (said).
+inline constexpr double kLeastCut = 0.5;
 
-/// [1] Strain by which collateral ligaments are tightened in a step. Fails first: as above, the other way round.
-inline constexpr double kSidewaysStep = 0.006;
+/// [mm or deg] How far above that, and above what cutting another adds there, is aimed at. Fails first: if too small,
+/// finer steps of the test change the order.
+inline constexpr double kCutMargin = 0.2;
 
-/// [1] Strain by which what holds rotation at 90 deg is slackened in a step. Fails first: as above.
-inline constexpr double kRotationStep = 0.02;
+/// [1] Factor of the slack length of a ligament that is cut. Fails first: if too small, it carries where a cut knee
+/// goes far.
+inline constexpr double kCutLength = 10;
 
-/// [1] Most of that. Fails first: if too large, the posterior corners of the knee hold nothing.
-inline constexpr double kMostRotationAim = 0.06;
+/// [1] Increments of a laxity test of a new knee. Fails first: if too small, curves end that finer ones finish.
+inline constexpr int kNewKneeIncrements = 2;
 
-/// [1] Most that a strain is changed. Fails first: if too large, a ligament's strain is none of a living knee.
-inline constexpr double kMostAim = 0.024;
+// new_aims
 
-/// [1] Factor of the stiffness of the menisci in a step. Fails first: as of the other steps.
-inline constexpr double kMenisciStep = 1.4;
+/// [1] Most that a strain is raised. Fails first: if too large, a ligament's strain is none of a living knee.
+inline constexpr double kMostTightened = 0.024;
 
-/// [1] Largest such factor. Fails first: if too large, menisci hold a knee whose ligaments are wrong, and a cut PCL is
-/// not felt.
+/// [1] Most that the strain of a cruciate or a collateral ligament is lowered. Fails first: if too large, it is slack
+/// in all of passive flexion.
+inline constexpr double kMostSlackened = 0.03;
+
+/// [1] Most that the strain of a capsule or of the popliteofibular ligament is lowered. Fails first: if too large, the
+/// posterior corners of the knee hold nothing.
+inline constexpr double kMostCornerSlackened = 0.06;
+
+/// [1] Largest factor of the stiffness of ligaments (LCL 2000 N at a strain of 1, MCL 5500 N, PCL 9000 N without it).
+/// Fails first: if too large, a ligament is stiffer than any that was measured.
+inline constexpr double kStiffestLigaments = 2;
+
+/// [1] Least such factor. Fails first: if too small, a knee whose other ligaments are cut snaps.
+inline constexpr double kSoftestLigaments = 0.6;
+
+/// [1] Largest factor of the stiffness of the menisci. Fails first: if too large, menisci hold a knee whose ligaments
+/// are wrong.
 inline constexpr double kStiffestMenisci = 2;
 
-/// [1] Factor of the stiffness of collateral ligaments in a step. Fails first: as of the other steps.
-inline constexpr double kCollateralStep = 1.2;
-
-/// [1] Largest such factor (LCL 2000 N at a strain of 1, MCL 5500 N without it). Fails first: if too large, a
-/// collateral ligament is stiffer than any that was measured.
-inline constexpr double kStiffestCollaterals = 1.75;
-
 /// [1] Least such factor. Fails first: if too small, a knee whose MCL is cut snaps.
-inline constexpr double kSoftestMenisci = 0.5;
+inline constexpr double kSoftestMenisci = 0.4;
 
-/// [1] Tests of laxity after which ligaments stay as they are. Fails first: if too small, knees are left outside of the
-/// ranges; if too large, time.
-inline constexpr int kAimRounds = 6;
+/// [1] Change of a strain that counts as much as a margin (kAimWeight). Fails first: ratio of the next two.
+inline constexpr double kUsualStrain = 0.02;
 
-/// [1] Trials between two of these tests in which slack lengths follow. Fails first: if too small, the test is of
-/// lengths that have not settled.
+/// [1] The same of the logarithm of a stiffness. Fails first: if it is too large beside the strain, stiffnesses change
+/// where strains would do.
+inline constexpr double kUsualStiffness = 0.35;
+
+/// [1] Weight of a usual change beside a violation by one margin, of their squares. Fails first: if too large, values
+/// stay outside; if too small, ligaments change for nothing.
+inline constexpr double kAimWeight = 0.02;
+
+/// [1] Longest first step of an aim, in usual changes. Fails first: if too large, the derivatives do not hold that far.
+inline constexpr double kAimReach = 1.2;
+
+/// [1] Reach below which no further step is tried. Fails first: if too large, knees are left outside; if too small,
+/// time.
+inline constexpr double kLeastReach = 0.1;
+
+/// [1] Violation that a value without a curve counts as, in margins. Fails first: if too small, curves are given up for
+/// values inside.
+inline constexpr double kMissingCurve = 3;
+
+/// [1] Usual changes by which what holds a knee is tightened where curves end. Fails first: if too small, rounds; if
+/// too large, knees become stiffer than needed.
+inline constexpr double kTightenStep = 0.5;
+
+/// [1] Steps after which ligaments stay as they are. Fails first: if too small, knees are left outside of the ranges;
+/// if too large, time.
+inline constexpr int kAimRounds = 8;
+
+/// [1] Trials of a knee that was changed, the second from where the first is in balance. Fails first: if too small, the
+/// reference pose is not in balance.
 inline constexpr int kAimTrials = 2;
 
 // new_ligaments
