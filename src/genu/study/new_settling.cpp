@@ -36,7 +36,7 @@ class Settling {
     const bool stl = asked_.kind == NewScene::Kind::stl;
     trial(true);
     for (int round = 0; round < kSettleRounds && settles(round); ++round) trial(false);
-    if (stl && !asked_.femur_bone.empty() && !composed_.lengths.empty()) aim();
+    if (stl && !composed_.lengths.empty()) aim();
     // What moves with the patella settles without it: it changes the balance of the tibia little.
     composed_.with_patella = !composed_.patella.text.empty();
     if (composed_.with_patella && found())
@@ -78,7 +78,7 @@ class Settling {
     return true;
   }
 
-  /// Of bones and their cartilage: tests the knee's laxity, and changes ligaments and menisci until it is that of usual
+  /// Tests the knee's laxity, and changes ligaments and menisci until it is that of usual
   /// knees. Without that where the changed knee does not bend.
   void aim() {
     if (!bends()) return;
