@@ -85,7 +85,7 @@ TEST(NewAims, WhatWasChangedIsSaid) {
   aims[aim_called("strain of the ACL")] = -0.012;
   aims[aim_called("strain of the LCL")] = 0.0002;
   aims[aim_called("stiffness of the PCL")] = std::log(1.44);
-  EXPECT_EQ(text_of(aims), "; for it strain of the ACL -1.2 %, stiffness of the PCL times 1.44");
+  EXPECT_EQ(text_of(aims), "strain of the ACL -1.2 %, stiffness of the PCL times 1.44");
 }
 
 /// Rotation and the anterior drawer are too large without them. What is said is what the numbers give.
@@ -98,7 +98,7 @@ TEST(NewAims, BringAKneeIntoTheRanges) {
   EXPECT_FALSE(before.usual());
   EXPECT_TRUE(before.all_complete());
   const AimedKnee aimed = aim_at_ranges(*prepared, {});
-  EXPECT_TRUE(aimed.laxity.usual()) << aimed.laxity.text() << text_of(aimed.aims);
+  EXPECT_TRUE(aimed.laxity.usual()) << aimed.laxity.text() << "; " << text_of(aimed.aims);
   std::vector<NewNumber> numbers;
   for (const Parameter& p : parameters_of(prepared->source)) {
     const auto dot = p.name.find('.');

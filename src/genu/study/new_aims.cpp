@@ -171,7 +171,7 @@ std::string text_of(const Aims& aims) {
     const std::string by =
         aim.stiffness ? fmt::format("times {:.2f}", std::exp(aims[k])) : fmt::format("{:+.1f} %", 100 * aims[k]);
     if (by != "times 1.00" && by != "+0.0 %" && by != "-0.0 %")
-      out += fmt::format("{} {} {}", out.empty() ? "; for it" : ",", aim.words, by);
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", aim.words, by);
   }
   return out;
 }

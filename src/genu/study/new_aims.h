@@ -25,8 +25,8 @@ const std::vector<NewKneeAim>& new_knee_aims();
 /// Values of all aims, in their order; 0 where nothing is changed.
 using Aims = VecX;
 
-/// For the terminal: what was changed, "; for it strain of the ACL -1.2 %, stiffness of the PCL times 1.44"; empty
-/// where nothing was.
+/// For the terminal: what was changed, "strain of the ACL -1.2 %, stiffness of the PCL times 1.44"; empty where nothing
+/// was.
 std::string text_of(const Aims& aims);
 
 /// The next aims by the derivatives of `found`, which has those to the aims, at `aims`: each changes by at most `reach`

@@ -261,6 +261,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnost
     if (!tried.found) return std::nullopt;
     if (!tried.laxity.empty())
       report.choices.push_back("laxity      " + tried.laxity + (composed->with_patella ? "; without the patella" : ""));
+    if (!tried.aimed.empty()) report.choices.push_back("for it      " + tried.aimed);
     const std::string fresh = tried.text;
     if (earlier && !keep_changes(asked, files, *earlier, tried, report, out)) return std::nullopt;
     const RunSummary& summary = tried.found->summary;

@@ -86,7 +86,8 @@ class Settling {
     const auto prepared = prepare(staged_, ignored);
     if (!prepared) return;
     const AimedKnee aimed = aim_at_ranges(*prepared, asked_.cancelled);
-    tried_.laxity = aimed.laxity.text() + text_of(aimed.aims);
+    tried_.laxity = aimed.laxity.text();
+    tried_.aimed = text_of(aimed.aims);
     if (aimed.aims.isZero()) return;
     const auto before = composed_.lengths;
     for (const auto& [fibre, slack] : aimed.slack) set_slack(composed_.lengths[length_word(fibre)], slack);
@@ -97,6 +98,7 @@ class Settling {
       if (again == 0 && bends()) refer_to_balance(composed_.words, *found());
     }
     if (bends() || !error_.empty()) return;
+    tried_.aimed.clear();
     tried_.laxity = "of usual knees only with ligaments with which this one does not bend; not tested";
     composed_.lengths = before;
     trial(false);

@@ -34,6 +34,7 @@ struct Tried {
   std::string text;
   std::optional<Solution> found;
   std::string laxity{};           ///< what it gives, where that was tested
+  std::string aimed{};            ///< what was changed for it
   std::string without_patella{};  ///< what the trial without it gave, where there is one
 };
 
