@@ -30,6 +30,7 @@
 #include "genu/study/new_refusals.h"
 #include "genu/study/new_scene_text.h"
 #include "genu/study/new_settling.h"
+#include "genu/study/new_side.h"
 #include "genu/study/new_trial.h"
 #include "genu/study/new_words.h"
 #include "genu/study/run_scene.h"
@@ -39,23 +40,6 @@ namespace genu {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Which side, and why.
-struct Side {
-  bool left = false;
-  std::string why;
-};
-Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bones, const KneeLandmarks& landmarks) {
-  if (asked.left) return {*asked.left, "as you said"};
-  if (landmarks.left) return {*landmarks.left, "by the names of the landmarks"};
-  if (const auto left = landmarks.left_by_epicondyles(knee)) return {*left, "by the epicondyles"};
-  if (const auto left = bones.fibula ? left_by_fibula(bones.fibula->mesh, knee) : std::nullopt)
-    return {*left, "by the side of the fibula; --side says otherwise"};
-  if (const auto left = seems_left(knee)) return {*left, why_this_side(knee) + "; --side says otherwise"};
-  if (const auto left = fits_left(bones.femur_shape(), bones.tibia_shape(), knee))
-    return {*left, "the reference knee fits better so; --side says otherwise"};
-  return {false, "not told by the meshes; --side left or right decides"};
-}
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
                                     const KneeLandmarks& landmarks, const NewLigaments& ligaments,

@@ -126,6 +126,10 @@ inline constexpr double kPictureRim = 6e-3;
 /// 0.074 to the right, the tibia 0.024 to 0.114 to the left). Fails first: if too small, chance decides.
 inline constexpr double kSideTold = 0.01;
 
+/// [of the tibia's width] Sum of both, from which on they are not asked against how the reference knee fits. Fails first:
+/// if too small, an unusual knee is taken for the other side; if too large, time.
+inline constexpr double kSideSure = 0.1;
+
 /// [1] Ratio of the widths of femur and tibia. Fails first: if too small, good pairs get a warning.
 inline constexpr double kMaxWidthRatio = 3;
 
