@@ -16,7 +16,7 @@ endfunction()
 # Which rooms each room may include, besides itself. Each names rooms above it alone, so that there can be no cycle. A
 # test (tests/style) holds the includes to this list.
 set(genu_rooms core mesh atlas law scene osim surface wrap mesh_files mesh_care judge shape_fit contact model equilibrium path motion
-    results assemble landmarks store appraise study calibrate sweep api)
+    results assemble landmarks store appraise study new_scene calibrate sweep api)
 set(genu_core_uses)
 set(genu_mesh_uses core)
 set(genu_atlas_uses core mesh)
@@ -41,9 +41,10 @@ set(genu_store_uses core scene mesh surface mesh_files path motion results assem
 set(genu_appraise_uses core scene contact model equilibrium path motion results assemble)
 set(genu_study_uses core atlas law scene osim mesh surface mesh_files mesh_care shape_fit contact model equilibrium path motion
     results assemble landmarks store appraise)
+set(genu_new_scene_uses core atlas scene mesh mesh_files model equilibrium results assemble landmarks store study)
 set(genu_calibrate_uses core law scene mesh_files contact model equilibrium path motion results assemble study)
 set(genu_sweep_uses core scene surface model results assemble store appraise study)
-set(genu_api_uses core law scene mesh mesh_files mesh_care model motion results assemble store study)
+set(genu_api_uses core law scene mesh mesh_files mesh_care model motion results assemble store study new_scene)
 
 # genu_room(NAME [LIBRARIES ...] [PRIVATE ...]): the static library genu_NAME from src/genu/NAME/*.cpp. LIBRARIES are
 # part of its public face; PRIVATE libraries are seen by its .cpp files alone.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "genu/study/asked_scene.h"
+#include "genu/new_scene/asked_scene.h"
 #include "support/leskovar.h"
 
 namespace genu::test {

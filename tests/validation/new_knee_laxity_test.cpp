@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/units.h"
+#include "genu/new_scene/new_scene.h"
 #include "genu/study/laxity.h"
-#include "genu/study/new_scene.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
 #include "support/leskovar.h"

@@ -17,7 +17,7 @@
 #include "commands.h"
 #include "genu/core/file_text.h"
 #include "genu/core/length_units.h"
-#include "genu/study/new_scene.h"
+#include "genu/new_scene/new_scene.h"
 #include "help_pages.h"
 
 namespace genu::cli {

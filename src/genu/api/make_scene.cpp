@@ -6,10 +6,10 @@
 #include "genu/api/mesh_of.h"
 #include "genu/api/scene_inside.h"
 #include "genu/assemble/prepare.h"
+#include "genu/new_scene/new_scene.h"
+#include "genu/new_scene/new_scene_text.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
-#include "genu/study/new_scene.h"
-#include "genu/study/new_scene_text.h"
 
 namespace genu::api {
 namespace {
