@@ -12,10 +12,10 @@
 namespace genu {
 namespace {
 
-struct Bones {
+struct TwoBones {
   Mesh femur, tibia;
 };
-Bones bones_of(const std::string& name) {
+TwoBones bones_of(const std::string& name) {
   Diagnostics out;
   auto femur = read_mesh(test::data_path("ssm/" + name + "_Femur.ply"), 1e-3, out),
        tibia = read_mesh(test::data_path("ssm/" + name + "_Tibia.ply"), 1e-3, out);
@@ -35,7 +35,7 @@ LayoutDoubt only_doubt(const Mesh& femur, const Mesh& tibia, const KneeLayout& k
 TEST(FitDoubts, AreNoneOfBonesAsTheyAre) {
   GENU_NEEDS_DATA("ssm/S001_Femur.ply");
   for (const char* name : {"S001", "S002"}) {
-    const Bones bones = bones_of(name);
+    const TwoBones bones = bones_of(name);
     const auto knee = lay_out_knee(bones.femur, bones.tibia);
     const double misfit = reference_misfit(bones.femur, bones.tibia, *knee, false);
     EXPECT_TRUE(fit_doubts(bones.femur, bones.tibia, *knee, misfit).empty()) << name;
@@ -47,7 +47,7 @@ TEST(FitDoubts, AreNoneOfBonesAsTheyAre) {
 TEST(FitDoubts, NameExchangedBones) {
   GENU_NEEDS_DATA("ssm/S001_Femur.ply");
   for (const char* name : {"S001", "S002"}) {
-    const Bones bones = bones_of(name);
+    const TwoBones bones = bones_of(name);
     const LayoutDoubt doubt = only_doubt(bones.tibia, bones.femur, *lay_out_knee(bones.tibia, bones.femur));
     EXPECT_TRUE(doubt.impossible) << name;
     EXPECT_TRUE(test::contains(doubt.what, "exchanged")) << doubt.what;
@@ -57,7 +57,7 @@ TEST(FitDoubts, NameExchangedBones) {
 TEST(FitDoubts, NameBonesTakenBackToFront) {
   GENU_NEEDS_DATA("ssm/S001_Femur.ply");
   for (const char* name : {"S001", "S002"}) {
-    const Bones bones = bones_of(name);
+    const TwoBones bones = bones_of(name);
     const auto knee = lay_out_knee(bones.femur, bones.tibia, {}, axis_named("-y"));
     const LayoutDoubt doubt = only_doubt(bones.femur, bones.tibia, *knee);
     EXPECT_FALSE(doubt.impossible) << name;
@@ -67,7 +67,7 @@ TEST(FitDoubts, NameBonesTakenBackToFront) {
 
 TEST(FitDoubts, TellALeftKneeByItsShape) {
   GENU_NEEDS_DATA("ssm/S001_Femur.ply");
-  Bones bones = bones_of("S001");
+  TwoBones bones = bones_of("S001");
   EXPECT_EQ(fits_left(bones.femur, bones.tibia, *lay_out_knee(bones.femur, bones.tibia)), false);
   for (Mesh* mesh : {&bones.femur, &bones.tibia}) {
     for (Vec3& p : mesh->vertices) p.x() = -p.x();  // sideways in these files

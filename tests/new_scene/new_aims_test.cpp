@@ -88,6 +88,14 @@ TEST(NewAims, WhatWasChangedIsSaid) {
   EXPECT_EQ(text_of(aims), "strain of the ACL -1.2 %, stiffness of the PCL times 1.44");
 }
 
+TEST(NewAims, LeaveAKneeAsItIsWhenTheyAreStopped) {
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  const auto prepared = prepare(folder.write("scene.toml", test::bundled_knee()), out);
+  ASSERT_TRUE(prepared) << test::messages(out);
+  EXPECT_TRUE(aim_at_ranges(*prepared, [] { return true; }).aims.isZero());
+}
+
 /// Rotation and the anterior drawer are too large without them. What is said is what the numbers give.
 TEST(NewAims, BringAKneeIntoTheRanges) {
   const test::TemporaryFolder folder;

@@ -2,6 +2,8 @@
 #include "genu/new_scene/new_fibula.h"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "genu/atlas/fitted_knee.h"
 #include "genu/core/units.h"
 #include "genu/mesh_files/stl_writer.h"
+#include "genu/new_scene/new_edit.h"
 #include "genu/new_scene/new_scene.h"
 #include "support/drawn_knee.h"
 #include "support/scenes.h"
@@ -119,6 +122,9 @@ TEST_F(NewFibula, SaysWhichSideIsLateral) {
   EXPECT_EQ(left_by_fibula(rod(knee_.centre - 0.03 * knee_.right, down_, 0.09, 6e-3), knee_), std::optional(true));
   EXPECT_FALSE(left_by_fibula(rod(knee_.centre, down_, 0.09, 6e-3), knee_));
   EXPECT_FALSE(left_by_fibula({}, knee_));
+  // A whole one that stands askew: its middle is on the other side, its head is not.
+  const Vec3 askew = (down_ - 0.5 * knee_.right).normalized();
+  EXPECT_EQ(left_by_fibula(rod(head_, askew, 0.36, 6e-3), knee_), std::optional(false));
 }
 
 TEST_F(NewFibula, IsPartOfTheTibiaInTheScene) {
@@ -136,6 +142,21 @@ TEST_F(NewFibula, IsPartOfTheTibiaInTheScene) {
   EXPECT_TRUE(contains(text, "[surface.fibula]\nbody = \"tibia\"\n"));
 }
 
+/// Written again without it, its ligaments would go back to the tibia without a word.
+TEST_F(NewFibula, IsAskedForAgain) {
+  std::filesystem::create_directory(folder_ / "knee");
+  const NewSceneFiles files{folder_ / "knee", "knee"};
+  const std::string scene = test::read_file(test::dortmans_file());
+  std::ofstream(files.scene()) << scene;
+  std::ofstream(files.written()) << written_copy(scene + "\n[surface.fibula]\n");
+  Diagnostics out;
+  EXPECT_FALSE(read_earlier(files, asked_, out));
+  EXPECT_TRUE(contains(test::messages(out), "has a fibula: give --fibula again")) << test::messages(out);
+  asked_.fibula.paths = {"fibula.stl"};
+  Diagnostics nothing;
+  EXPECT_TRUE(read_earlier(files, asked_, nothing)) << test::messages(nothing);
+}
+
 TEST_F(NewFibula, OnTheOtherSideOrFarAwayIsDoubted) {
   Diagnostics out;
   bones_.fibula = NewBone{rod(head_, down_, 0.09, 6e-3), 1e-3, {}};
@@ -146,6 +167,7 @@ TEST_F(NewFibula, OnTheOtherSideOrFarAwayIsDoubted) {
   EXPECT_TRUE(contains(test::messages(out), "as the fibula of a right knee does, and this is a left one"));
   Diagnostics far;
   EXPECT_EQ(fibula_choice(asked_, 0.04, far), "no ligament put onto it");
+  EXPECT_EQ(fibula_choice(asked_, 0, far), "no ligament put onto it: landmarks say where they insert");
   EXPECT_TRUE(contains(test::messages(far), "is 40.0 mm from where"));
 }
 

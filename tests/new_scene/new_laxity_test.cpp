@@ -37,6 +37,7 @@ TEST(NewLaxity, ACurveThatEndsIsSaid) {
   NewKneeLaxity ended = usual_knee();
   ended.complete = 11;
   EXPECT_FALSE(ended.usual());
+  EXPECT_EQ(ended.missing_curves(), 1);
   EXPECT_NE(ended.text().find("; 11 of 12 curves complete; not all as of usual knees"), std::string::npos);
   ended.complete = 12, ended.cut_complete = 30;
   EXPECT_FALSE(ended.usual());

@@ -159,10 +159,12 @@ TEST(NewPatella, IsAskedForAgain) {
   std::ofstream(files.scene()) << scene;
   std::ofstream(files.written()) << written_copy(scene + "\n[body.patella]\n");
   Diagnostics out;
-  EXPECT_FALSE(read_earlier(files, false, out));
+  EXPECT_FALSE(read_earlier(files, {}, out));
   EXPECT_TRUE(contains(test::messages(out), "has a patella: give --patella again")) << test::messages(out);
   Diagnostics nothing;
-  EXPECT_TRUE(read_earlier(files, true, nothing)) << test::messages(nothing);
+  NewScene with;
+  with.patella.paths = {"patella.stl"};
+  EXPECT_TRUE(read_earlier(files, with, nothing)) << test::messages(nothing);
 }
 
 /// Only those between femur and patella that strain too much get a length: their longest, strained by 0.08.

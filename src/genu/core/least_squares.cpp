@@ -72,7 +72,7 @@ class LeastSquaresSearcher {
   }
 
   /// The damped step within the bounds: an unknown that would leave them stops there, and the others are chosen anew.
-  VecX bounded_step(const MatX& scaled, const VecX& measure, double damping) const {
+  VecX bounded_step(const MatX& scaled, const VecX& measure, double damping, bool& stops) const {
     MatX free = scaled;
     VecX residuals = result_.residuals, stopped = VecX::Zero(measure.size());
     std::vector<bool> held(static_cast<std::size_t>(measure.size()), false);
@@ -84,7 +84,7 @@ class LeastSquaresSearcher {
       for (Eigen::Index k = 0; k < z.size(); ++k) {
         double dx = z[k] / measure[k];
         if (held[static_cast<std::size_t>(k)] || !cut_at_bound(k, dx)) continue;
-        held[static_cast<std::size_t>(k)] = again = true;
+        held[static_cast<std::size_t>(k)] = again = stops = true;
         stopped[k] = dx * measure[k];
         residuals += scaled.col(k) * stopped[k];
         free.col(k).setZero();
@@ -131,7 +131,9 @@ class LeastSquaresSearcher {
     const auto promise = [&](const VecX& z) { return -2 * z.dot(gradient) - (scaled * z).squaredNorm(); };
     const auto step_of = [&](double damping) {
       if (!has_bounds()) return damped_step(normal, gradient, damping);
-      const VecX z = bounded_step(scaled, measure, damping);
+      bool held = false;
+      const VecX z = bounded_step(scaled, measure, damping, held);
+      if (!held) return z;
       VecX better = z;
       release(scaled, measure, damping, better);
       return promise(better) > kReleaseGain * promise(z) ? better : z;

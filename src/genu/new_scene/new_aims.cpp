@@ -55,8 +55,8 @@ class AimedNumbers {
     return changed ? laxity_of_new(*changed, rates, cancelled) : NewKneeLaxity{};
   }
 
-  AimedKnee knee(const Aims& aims, NewKneeLaxity laxity) const {
-    AimedKnee out{aims, std::move(laxity), {}, {}};
+  AimedKnee knee(const Aims& aims, NewKneeLaxity laxity, std::string before) const {
+    AimedKnee out{aims, std::move(laxity), std::move(before), {}, {}};
     for (std::size_t k = 0; k < members_.size(); ++k)
       for (const Member& m : members_[k])
         (new_knee_aims()[k].stiffness ? out.stiffness : out.slack)[m.fibre] = value(k, m, aims);
@@ -89,7 +89,7 @@ double missed(const NewKneeLaxity& found) {
     const double by = std::isfinite(v.value) ? miss(v, v.value) : kMissingCurve;
     sum += by * by;
   }
-  return found.all_complete() ? sum : sum + kMissingCurve * kMissingCurve;
+  return sum + found.missing_curves() * kMissingCurve * kMissingCurve;
 }
 
 /// The linear model of `found`: residuals are misses, then aims by their usual change.
@@ -183,7 +183,7 @@ Aims next_aims(const NewKneeLaxity& found, const Aims& aims, double reach) {
   problem.jacobian = [&](const VecX& z) { return std::optional(model.jacobian(z)); };
   const VecX usual = NextAims::usual(), start = aims.cwiseQuotient(usual);
   LeastSquaresOptions options;
-  options.most_iterations = 200;
+  options.most_iterations = kAimIterations;
   options.lower = start.array() - reach;
   options.upper = start.array() + reach;
   for (Eigen::Index k = 0; k < count(); ++k) {
@@ -200,18 +200,19 @@ AimedKnee aim_at_ranges(const Prepared& prepared, const Cancelled& cancelled) {
   const AimedNumbers numbers(shared);
   Aims best = VecX::Zero(count());
   NewKneeLaxity found = numbers.tested(best, cancelled);
+  const std::string before = found.text();
   double reach = kAimReach;
-  for (int round = 0; round < kAimRounds && reach > kLeastReach && !found.usual(0.5) && !asked_to_stop(cancelled);
-       ++round) {
+  for (int round = 0;
+       round < kAimRounds && reach > kLeastReach && !found.usual(kAimedEnough) && !asked_to_stop(cancelled); ++round) {
     const Aims aims = next_aims(found, best, reach);
     if ((aims - best).cwiseQuotient(NextAims::usual()).cwiseAbs().maxCoeff() < kLeastReach) break;
     NewKneeLaxity other = numbers.tested(aims, cancelled);
     if (missed(other) < missed(found))
       best = aims, found = std::move(other);
     else
-      reach /= 3;
+      reach *= kShorterReach;
   }
-  return numbers.knee(best, std::move(found));
+  return numbers.knee(best, std::move(found), before);
 }
 
 }  // namespace genu

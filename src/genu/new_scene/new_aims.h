@@ -36,6 +36,7 @@ Aims next_aims(const NewKneeLaxity& found, const Aims& aims, double reach);
 struct AimedKnee {
   Aims aims;
   NewKneeLaxity laxity;                     ///< with them
+  std::string before;                       ///< text of the laxity without them
   std::map<std::string, double> slack;      ///< m, of each fibre
   std::map<std::string, double> stiffness;  ///< N, of each fibre
 };

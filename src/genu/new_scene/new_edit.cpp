@@ -1,5 +1,7 @@
 #include "genu/new_scene/new_edit.h"
 
+#include <tuple>
+
 #include <fmt/format.h>
 
 #include "genu/core/atomic_output.h"
@@ -16,7 +18,7 @@ constexpr const char* kCopyLine =
 
 std::string written_copy(const std::string& text) { return kCopyLine + text; }
 
-std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, bool patella, Diagnostics& out) {
+std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, const NewScene& asked, Diagnostics& out) {
   std::error_code ignored;
   const auto mine = text_of_file(files.scene(), out);
   if (mine && !parse_scene(*mine, files.scene(), out)) return std::nullopt;
@@ -33,10 +35,11 @@ std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, bool patell
     out.error(Code::broken_file, files.written(), "does not begin as genu wrote it: it is no copy of what genu wrote");
     return std::nullopt;
   }
-  if (!patella && written->find("\n[body.patella]\n") != std::string::npos) {
-    out.error(Code::meshes_needed, files.scene(), "has a patella: give --patella again");
-    return std::nullopt;
-  }
+  for (const auto& [bone, given, table] : {std::tuple("patella", &asked.patella, "\n[body.patella]\n"),
+                                           std::tuple("fibula", &asked.fibula, "\n[surface.fibula]\n")})
+    if (given->empty() && written->find(table) != std::string::npos)
+      out.error(Code::meshes_needed, files.scene(), fmt::format("has a {0}: give --{0} again", bone));
+  if (out.has_errors()) return std::nullopt;
   return EarlierScene{written->substr(line.size()), *mine};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "genu/core/diagnostics.h"
+#include "genu/new_scene/asked_scene.h"
 #include "genu/new_scene/scene_merge.h"
 
 namespace genu {
@@ -30,8 +31,9 @@ struct EarlierScene {
 };
 
 /// Empty, with all reasons in `out`, where there is no scene, no copy of what genu wrote, or the scene has mistakes; or
-/// a patella, and the new one has none.
-[[nodiscard]] std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, bool patella, Diagnostics& out);
+/// a patella or a fibula, and `asked` has none.
+[[nodiscard]] std::optional<EarlierScene> read_earlier(const NewSceneFiles& files, const NewScene& asked,
+                                                       Diagnostics& out);
 
 /// With a warning for each change of the user that the new scene does not agree with.
 MergedScene with_changes(const EarlierScene& earlier, const std::string& fresh, const std::string& file,

@@ -1,5 +1,6 @@
 #include "genu/new_scene/new_fibula.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,9 +16,13 @@ namespace genu {
 
 std::optional<bool> left_by_fibula(const Mesh& fibula, const KneeLayout& knee) {
   if (fibula.vertices.empty()) return std::nullopt;
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& x : fibula.vertices) sum += x - knee.centre;
-  const double right = sum.dot(knee.right) / static_cast<double>(fibula.vertices.size());
+  const auto height = [&](const Vec3& x) { return x.dot(knee.proximal); };
+  double top = height(fibula.vertices.front()), right = 0;
+  for (const Vec3& x : fibula.vertices) top = std::max(top, height(x));
+  int count = 0;
+  for (const Vec3& x : fibula.vertices)
+    if (height(x) > top - kFibulaHead * knee.width) right += (x - knee.centre).dot(knee.right), ++count;
+  right /= count;
   if (std::abs(right) < kFibulaAside * knee.width) return std::nullopt;
   return right < 0;
 }
@@ -42,6 +47,7 @@ void doubt_fibula(const NewScene& asked, const NewBones& bones, const KneeLayout
 
 std::string fibula_choice(const NewScene& asked, double farthest, Diagnostics& out) {
   const std::string distance = fmt::format("{:.1f} mm", to::kMillimetre * farthest);
+  if (farthest == 0) return "no ligament put onto it: landmarks say where they insert";
   if (farthest <= kOntoFibula)
     return fmt::format("lateral collateral and popliteofibular ligament put onto it, by at most {}", distance);
   out.warning(

@@ -10,7 +10,7 @@
 
 namespace genu {
 
-/// Whether it lies to the left of the tibia, and the knee is a left one. Empty where it lies amid the tibia.
+/// Whether its head lies to the left of the tibia, and the knee is a left one. Empty where it lies amid the tibia.
 std::optional<bool> left_by_fibula(const Mesh& fibula, const KneeLayout& knee);
 
 /// Its table of a scene; empty where there is none.

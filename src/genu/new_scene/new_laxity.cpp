@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -59,12 +60,14 @@ class TestedKnee {
     for (const LaxityAngle& angle : tested.angles)
       for (const LaxityCurve& curve : angle.curves) complete_ += curve.ended.empty() ? 1 : 0;
     tbb::parallel_for(std::size_t{0}, tested.angles.size(), [&](std::size_t a) {
+      LaxityJoint own = tested.knee;
+      own.prepared.model.meter = std::make_shared<EffectMeter>();  // this thread's
       for (const LaxityCurve& curve : tested.angles[a].curves) {
         if (curve.rows.empty()) continue;
-        const Moved neutral = at(tested.knee, curve, &curve.rows.front(), directions);
+        const Moved neutral = at(own, curve, &curve.rows.front(), directions);
         Curve& found = angles_[a][static_cast<std::size_t>(curve.test.kind)];
-        found.positive = at(tested.knee, curve, curve.at(curve.test.load), directions) - neutral;
-        found.negative = at(tested.knee, curve, curve.at(-curve.test.load), directions) - neutral;
+        found.positive = at(own, curve, curve.at(curve.test.load), directions) - neutral;
+        found.negative = at(own, curve, curve.at(-curve.test.load), directions) - neutral;
       }
     });
   }
@@ -159,7 +162,7 @@ void add_cuts(const std::vector<TestedKnee>& cuts, const TestedKnee& intact, New
 
 }  // namespace
 
-bool NewKneeLaxity::all_complete() const { return complete == kCurves && cut_complete == kCutCurves; }
+int NewKneeLaxity::missing_curves() const { return kCurves - complete + kCutCurves - cut_complete; }
 
 bool NewKneeLaxity::usual(double margins) const {
   return all_complete() && std::all_of(values.begin(), values.end(), [&](const Value& v) {

@@ -41,7 +41,8 @@ struct NewKneeLaxity {
   std::vector<Value> values;
 
   /// All curves of the intact knee and of the cut ones.
-  bool all_complete() const;
+  bool all_complete() const { return missing_curves() == 0; }
+  int missing_curves() const;
   /// All curves, and each value within its range, `margins` of its margin inside.
   bool usual(double margins = 0) const;
   /// For the terminal.

@@ -227,7 +227,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnost
   }
   const NewScene& asked = *sorted;
   std::optional<EarlierScene> earlier;
-  if (asked.edit) earlier = read_earlier(files, !asked.patella.empty(), out);
+  if (asked.edit) earlier = read_earlier(files, asked, out);
   auto composed = compose(asked, files.name, out);
   if (!composed || (asked.edit && !earlier)) return std::nullopt;
   StagedFolder staged("");  // it will be edited: never to be replaced

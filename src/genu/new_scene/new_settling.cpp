@@ -86,21 +86,27 @@ class Settling {
     const auto prepared = prepare(staged_, ignored);
     if (!prepared) return;
     const AimedKnee aimed = aim_at_ranges(*prepared, asked_.cancelled);
+    if (asked_to_stop(asked_.cancelled)) {
+      say_stopped(out_);
+      found().reset();
+      return;
+    }
     tried_.laxity = aimed.laxity.text();
     tried_.aimed = text_of(aimed.aims);
     if (aimed.aims.isZero()) return;
-    const auto before = composed_.lengths;
+    const Words lengths = composed_.lengths, words = composed_.words;
     for (const auto& [fibre, slack] : aimed.slack) set_slack(composed_.lengths[length_word(fibre)], slack);
     for (const auto& [fibre, stiffness] : aimed.stiffness)
       composed_.lengths[stiffness_word(fibre)] = stiffness_text(stiffness);
-    for (int again = 0; again < kAimTrials; ++again) {
+    for (int again = 0; again < kAimTrials && found(); ++again) {
       trial(false);
       if (again == 0 && bends()) refer_to_balance(composed_.words, *found());
     }
-    if (bends() || !error_.empty()) return;
+    if (bends() || !error_.empty() || !found()) return;
+    tried_.laxity = aimed.before + "; with other ligaments it would not bend so far";
     tried_.aimed.clear();
-    tried_.laxity = "of usual knees only with ligaments with which this one does not bend; not tested";
-    composed_.lengths = before;
+    composed_.lengths = lengths;
+    composed_.words = words;
     trial(false);
   }
 

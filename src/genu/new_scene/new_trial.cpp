@@ -4,6 +4,10 @@
 
 namespace genu {
 
+void say_stopped(Diagnostics& out) {
+  out.error(Code::interrupted, {}, "stopped while the scene was tried out: nothing is written");
+}
+
 void refer_to_balance(Words& words, const Solution& found) {
   const std::string pose = found.summary.poses_solved > 0 ? balanced_reference(found.poses) : "";
   if (pose.empty()) return;
@@ -22,7 +26,7 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
   if (prepared)
     found = prepared->scene.dynamics ? move_all(*prepared, options, warnings) : solve_all(*prepared, options, warnings);
   if (found && found->stopped == "interrupted") {
-    out.error(Code::interrupted, {}, "stopped while the scene was tried out: nothing is written");
+    say_stopped(out);
     return std::nullopt;
   }
   const auto of_meshes = [](const Diagnostic& d) {

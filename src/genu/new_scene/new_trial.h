@@ -16,6 +16,9 @@ namespace genu {
 std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked, bool first,
                                 Diagnostics& out);
 
+/// That the user has stopped it.
+void say_stopped(Diagnostics& out);
+
 /// The reference pose becomes the first one that the trial found.
 void refer_to_balance(Words& words, const Solution& found);
 

@@ -57,7 +57,11 @@ inline constexpr double kEpicondylesAside = 0.8;
 
 // new_fibula
 
-/// [of the tibia's width] Distance of the fibula's middle from the knee's, sideways, from which it tells the side.
+/// [of the tibia's width] Length of the fibula, from its top, that counts as its head. Fails first: if too large, the
+/// shaft of a tilted one tells the side; if too small, one stray vertex.
+inline constexpr double kFibulaHead = 0.4;
+
+/// [of the tibia's width] Distance of the fibula's head from the knee's middle, sideways, from which it tells the side.
 /// Fails first: if too small, a bone amid the knee decides.
 inline constexpr double kFibulaAside = 0.2;
 
@@ -132,7 +136,8 @@ inline constexpr double kStiffestMenisci = 2;
 /// [1] Least such factor. Fails first: if too small, a knee whose MCL is cut snaps.
 inline constexpr double kSoftestMenisci = 0.4;
 
-/// [1] Change of a strain that counts as much as a margin (kAimWeight). Fails first: ratio of the next two.
+/// [1] Change of a strain that counts as one (kAimWeight). Fails first: if too large beside the stiffness, strains
+/// change where stiffnesses would do.
 inline constexpr double kUsualStrain = 0.02;
 
 /// [1] The same of the logarithm of a stiffness. Fails first: if it is too large beside the strain, stiffnesses change
@@ -140,7 +145,7 @@ inline constexpr double kUsualStrain = 0.02;
 inline constexpr double kUsualStiffness = 0.35;
 
 /// [1] Weight of a usual change beside a violation by one margin, of their squares. Fails first: if too large, values
-/// stay outside; if too small, ligaments change for nothing.
+/// stay outside; if too small, ligaments change without need.
 inline constexpr double kAimWeight = 0.02;
 
 /// [1] Longest first step of an aim, in usual changes. Fails first: if too large, the derivatives do not hold that far.
@@ -149,6 +154,17 @@ inline constexpr double kAimReach = 1.2;
 /// [1] Reach below which no further step is tried. Fails first: if too large, knees are left outside; if too small,
 /// time.
 inline constexpr double kLeastReach = 0.1;
+
+/// [1] Part of a reach that is tried next where a step has not helped. Fails first: if too large, time; if too small, a
+/// good step is stepped over.
+inline constexpr double kShorterReach = 1.0 / 3;
+
+/// [of the margins] How far inside the ranges a knee is left as it is. Fails first: if too small, finer steps of the
+/// test are outside; if too large, rounds.
+inline constexpr double kAimedEnough = 0.5;
+
+/// [1] Steps of the least squares of a linear model. Fails first: if too small, its step is not the best.
+inline constexpr int kAimIterations = 200;
 
 /// [1] Violation that a value without a curve counts as, in margins. Fails first: if too small, curves are given up for
 /// values inside.

@@ -8,7 +8,6 @@
 #include "genu/path/path.h"
 #include "genu/store/checkpoint.h"
 #include "genu/store/stop_of.h"
-#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -32,8 +31,8 @@ std::vector<LayerReport> report_layers(const Prepared& prepared, const State& st
 
 PathOptions path_options(const SceneTables& scene, const RunOptions& options) {
   PathOptions path = options.path;
-  path.newton.residual_tolerance = std::min(scene.solver.tolerance, kLoosestTolerance);
-  path.newton.residual_floor = std::max(path.newton.residual_floor, path.newton.residual_tolerance);
+  path.newton.residual_tolerance = scene.solver.tolerance;
+  path.newton.residual_floor = std::max(path.newton.residual_floor, scene.solver.tolerance);
   return path;
 }
 

@@ -166,12 +166,6 @@ inline constexpr int kMaxNamedContacts = 99;
 /// [1] Largest sensitivity.csv. Fails first: if too large, the disk is full.
 inline constexpr std::size_t kMaxSensitivityRows = 5000000;
 
-// solve_path
-
-/// [1] Scaled residual that poses of a path keep to, however loose a tolerance is asked for. Fails first: if too large,
-/// contacts that split are lost, and events are sought in noise (time).
-inline constexpr double kLoosestTolerance = 1e-10;
-
 // laxity
 
 /// [1] Sine of the angle, or cosine, within which two axes are parallel, or perpendicular. Fails first: if too small, a
