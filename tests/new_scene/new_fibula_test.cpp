@@ -142,6 +142,33 @@ TEST_F(NewFibula, IsPartOfTheTibiaInTheScene) {
   EXPECT_TRUE(contains(text, "[surface.fibula]\nbody = \"tibia\"\n"));
 }
 
+TEST_F(NewFibula, ElsewhereIsRefused) {
+  asked_.fibula.paths = {"fibula.stl"};
+  const auto fits = [&](const Vec3& head) {
+    bones_.fibula = NewBone{rod(head, down_, 0.09, 6e-3), 1e-3, {}};
+    Diagnostics out;
+    const bool good = check_fibula(asked_, bones_, knee_, out);
+    EXPECT_EQ(good, !out.has_errors());
+    EXPECT_TRUE(good || contains(test::messages(out), "fibula.stl: is not where a fibula is")) << test::messages(out);
+    return good;
+  };
+  EXPECT_TRUE(fits(head_));
+  EXPECT_FALSE(fits(head_ + 0.5 * down_));
+  EXPECT_FALSE(fits(head_ - 0.08 * down_)) << "beside the femur";
+  EXPECT_FALSE(fits(head_ + 0.1 * knee_.right));
+}
+
+TEST_F(NewFibula, OfAnotherBonesFileIsRefused) {
+  asked_.fibula.paths = {asked_.tibia.paths.front()};
+  Diagnostics out;
+  EXPECT_FALSE(write_new_scene(asked_, out));
+  EXPECT_TRUE(contains(test::messages(out), "is given for another bone too")) << test::messages(out);
+  asked_.fibula.paths = {"a.stl", "a.stl"};
+  Diagnostics twice;
+  EXPECT_FALSE(write_new_scene(asked_, twice));
+  EXPECT_TRUE(contains(test::messages(twice), "is named twice")) << test::messages(twice);
+}
+
 /// Written again without it, its ligaments would go back to the tibia without a word.
 TEST_F(NewFibula, IsAskedForAgain) {
   std::filesystem::create_directory(folder_ / "knee");
@@ -165,6 +192,11 @@ TEST_F(NewFibula, OnTheOtherSideOrFarAwayIsDoubted) {
   EXPECT_TRUE(out.items().empty());
   doubt_fibula(asked_, bones_, knee_, true, out);
   EXPECT_TRUE(contains(test::messages(out), "as the fibula of a right knee does, and this is a left one"));
+  bones_.fibula =
+      NewBone{rod(head_ - 2 * (head_ - knee_.centre).dot(knee_.right) * knee_.right, down_, 0.09, 6e-3), 1e-3, {}};
+  Diagnostics other;
+  doubt_fibula(asked_, bones_, knee_, true, other);
+  EXPECT_TRUE(contains(test::messages(other), "left knee does, and the shape of the bones is that of a right one"));
   Diagnostics far;
   EXPECT_EQ(fibula_choice(asked_, 0.04, far), "no ligament put onto it");
   EXPECT_EQ(fibula_choice(asked_, 0, far), "no ligament put onto it: landmarks say where they insert");

@@ -139,9 +139,9 @@ double put_on_fibula(const Mesh& fibula, FittedKnee& fitted) {
   for (std::size_t i = 0; i < fibres.size(); ++i) {
     if (!is_of(fibres[i], {"LCL", "PFL"}) || !put[i].given.empty()) continue;
     const Vec3 foot = nearest_on_mesh(fibula, put[i].at);
-    farthest = std::max(farthest, (foot - put[i].at).norm());
-    put[i].at = foot;
-    put[i].on_mesh = true;
+    const double moved = (foot - put[i].at).norm();
+    farthest = std::max(farthest, moved);
+    put[i] = {foot, std::hypot(put[i].error, kPutAsFar * moved), true, {}};
   }
   if (farthest <= kOntoFibula) fitted.tibia.insertions = std::move(put);
   return farthest;

@@ -65,9 +65,13 @@ inline constexpr std::size_t kFieldPlaces = 150;
 /// too large, those on the fibula are put onto the tibia.
 inline constexpr double kOntoMesh = 8e-3;
 
-/// [m] Distance from the fibula within which the insertions that belong on it are put onto it. Fails first: if too small,
-/// they float beside it; if too large, another bone is taken for it.
+/// [m] Distance from the fibula within which the insertions that belong on it are put onto it. Fails first: if too
+/// small, they float beside it; if too large, another bone is taken for it.
 inline constexpr double kOntoFibula = 15e-3;
+
+/// [of how far they are moved] What it adds to their standard error. Fails first: if too small, ends that the fibula
+/// contradicts are told to be certain.
+inline constexpr double kPutAsFar = 0.5;
 
 /// [m] How much insertions differ between people beyond the shape of their bones (standard deviation; ACL and MCL
 /// footprints: 1.5 to 3 mm). Fails first: if too small, the stated error is too small.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,21 +11,49 @@
 #include "genu/core/units.h"
 #include "genu/new_scene/new_words.h"
 #include "genu/new_scene/tolerances.h"
-#include "genu/scene/utf8.h"
+#include "genu/study/layout_doubts.h"
 
 namespace genu {
 
-std::optional<bool> left_by_fibula(const Mesh& fibula, const KneeLayout& knee) {
-  if (fibula.vertices.empty()) return std::nullopt;
-  const auto height = [&](const Vec3& x) { return x.dot(knee.proximal); };
-  double top = height(fibula.vertices.front()), right = 0;
-  for (const Vec3& x : fibula.vertices) top = std::max(top, height(x));
+namespace {
+
+/// From the middle of the plateau to the middle of its head, in widths of the tibia.
+struct FibulaHead {
+  double right = 0, anterior = 0, proximal = 0;
+};
+FibulaHead head_of(const Mesh& fibula, const KneeLayout& knee) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const Vec3& x : fibula.vertices) top = std::max(top, x.dot(knee.proximal));
+  Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const Vec3& x : fibula.vertices)
-    if (height(x) > top - kFibulaHead * knee.width) right += (x - knee.centre).dot(knee.right), ++count;
-  right /= count;
-  if (std::abs(right) < kFibulaAside * knee.width) return std::nullopt;
+    if (x.dot(knee.proximal) > top - kFibulaHead * knee.width) sum += x - knee.centre, ++count;
+  const Vec3 head = sum / (count * knee.width);
+  return {head.dot(knee.right), head.dot(knee.anterior), head.dot(knee.proximal)};
+}
+
+}  // namespace
+
+std::optional<bool> left_by_fibula(const Mesh& fibula, const KneeLayout& knee) {
+  if (fibula.vertices.empty()) return std::nullopt;
+  const double right = head_of(fibula, knee).right;
+  if (std::abs(right) < kFibulaAside) return std::nullopt;
   return right < 0;
+}
+
+bool check_fibula(const NewScene& asked, const NewBones& bones, const KneeLayout& knee, Diagnostics& out) {
+  if (!bones.fibula) return true;
+  const FibulaHead head = head_of(bones.fibula->mesh, knee);
+  const auto mm = [&](double widths) { return to::kMillimetre * widths * knee.width; };
+  if (std::abs(head.right) < kFibulaReach && std::abs(head.anterior) < kFibulaReach && head.proximal < 0 &&
+      head.proximal > -kFibulaReach)
+    return true;
+  out.error(Code::layout, asked.fibula.text(),
+            fmt::format("is not where a fibula is: its upper end is {:.0f} mm to the side, {:.0f} mm to the front and "
+                        "{:.0f} mm up from the middle of the tibia's plateau. Is it the fibula, in the frame of the "
+                        "other meshes?",
+                        mm(std::abs(head.right)), mm(head.anterior), mm(head.proximal)));
+  return false;
 }
 
 std::string fibula_text(const NewScene& asked, const NewBones& bones) {
@@ -37,12 +66,17 @@ std::string fibula_text(const NewScene& asked, const NewBones& bones) {
 
 void doubt_fibula(const NewScene& asked, const NewBones& bones, const KneeLayout& knee, bool left, Diagnostics& out) {
   if (!bones.fibula) return;
-  if (const auto seen = left_by_fibula(bones.fibula->mesh, knee); seen && *seen != left)
+  const auto warn = [&](bool seen, bool taken) {
+    const auto side = [](bool is_left) { return is_left ? "left" : "right"; };
     out.warning(
         Code::layout, asked.fibula.text(),
-        fmt::format("lies on the {} of the tibia, as the fibula of a {} knee does, and this is a {} one: --side "
+        fmt::format("lies on the {} of the tibia, as the fibula of a {} knee does, and {} a {} one: --side "
                     "decides",
-                    *seen ? "left" : "right", *seen ? "left" : "right", left ? "left" : "right"));
+                    side(seen), side(seen), taken ? "this is" : "the shape of the bones is that of", side(!seen)));
+  };
+  const auto seen = left_by_fibula(bones.fibula->mesh, knee), shape = seems_left(knee);
+  if (seen && *seen != left) warn(*seen, true);
+  if (seen && shape && *seen != *shape && *seen == left) warn(*seen, false);
 }
 
 std::string fibula_choice(const NewScene& asked, double farthest, Diagnostics& out) {

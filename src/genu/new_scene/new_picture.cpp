@@ -60,6 +60,7 @@ std::string picture_of(const NewKnee& knee, const Scene& scene) {
                       {}};
   if (bones.femur_bone) picture.femur.push_back(&bones.femur.mesh);
   if (bones.tibia_bone) picture.tibia.push_back(&bones.tibia.mesh);
+  if (bones.fibula) picture.tibia.push_back(&bones.fibula->mesh);
   std::map<std::string, std::size_t> fibres;
   for (std::size_t i = 0; i < reference_knee().fibres.size(); ++i) fibres[reference_knee().fibres[i].name] = i;
   for (const auto& [i, group] : groups_of(scene)) {

@@ -117,10 +117,16 @@ std::vector<bool> seem_cartilage(const std::vector<Mesh>& meshes) {
 std::optional<NewScene> sort_pieces(const NewScene& asked, std::vector<std::string>& choices, Diagnostics& out) {
   NewScene sorted = asked;
   for (const auto& [option, files] : {std::pair("--femur", &asked.femur_any), std::pair("--tibia", &asked.tibia_any),
-                                      std::pair("--patella", &asked.patella_any)})
+                                      std::pair("--patella", &asked.patella_any), std::pair("--fibula", &asked.fibula)})
     for (auto path = files->paths.begin(); path != files->paths.end(); ++path)
       if (std::find(files->paths.begin(), path, *path) != path)
         out.add(error_at({}, Code::duplicate, option, with_quotes(printable(*path)), "is named twice"));
+  for (const std::string& path : asked.fibula.paths)
+    for (const PieceFiles* files : {&asked.femur, &asked.tibia, &asked.patella, &asked.femur_any, &asked.tibia_any,
+                                    &asked.patella_any, &asked.femur_bone, &asked.tibia_bone, &asked.patella_bone})
+      if (std::find(files->paths.begin(), files->paths.end(), path) != files->paths.end())
+        out.add(
+            error_at({}, Code::duplicate, "--fibula", with_quotes(printable(path)), "is given for another bone too"));
   if (out.has_errors()) return std::nullopt;
   std::string told;
   const auto sort_one = [&](const char* bone_name, const PieceFiles& any, PieceFiles& touches, PieceFiles& bone) {

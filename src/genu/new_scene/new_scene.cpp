@@ -43,8 +43,8 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
                                     const KneeLandmarks& landmarks, const NewLigaments& ligaments,
-                                    const NewPatella& patella, const std::string& fibula, const KneeFrames& frames,
-                                    const Words& w) {
+                                    const NewPatella& patella, const std::string& fibula,
+                                    const std::string& fibula_unit, const KneeFrames& frames, const Words& w) {
   std::vector<std::string> out;
   const double turned = to::kDegree * angle_between(frames_of_files(knee), frames);
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}{}", w.at("proximal"),
@@ -56,7 +56,8 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
                                        : ""));
   out.push_back(fmt::format("side        {} ({})", w.at("side"), side.why));
   out.push_back(fmt::format("units       femur {}, tibia {}{}{}", w.at("femur_unit"), w.at("tibia_unit"),
-                            patella.text.empty() ? "" : ", patella " + patella.unit,
+                            (patella.text.empty() ? "" : ", patella " + patella.unit) +
+                                (fibula_unit.empty() ? "" : ", fibula " + fibula_unit),
                             asked.unit.empty() ? " (guessed from their size; --units decides)" : ""));
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
@@ -155,6 +156,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
     return std::nullopt;
   }
   if (!check_layout(bones->femur, bones->tibia, *knee, asked, out)) return std::nullopt;
+  if (!check_fibula(asked, *bones, *knee, out)) return std::nullopt;
   const Side side = side_of(asked, *knee, *bones, *landmarks);
   doubt_landmarks(*landmarks, bones->femur_shape(), bones->tibia_shape(), *knee, side.left, out);
   const NewLigaments ligaments =
@@ -177,7 +179,8 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
   return Composed{stl_scene_text(),
                   words,
-                  choices_of(asked, *knee, side, *landmarks, ligaments, patella, fibula, frames, words),
+                  choices_of(asked, *knee, side, *landmarks, ligaments, patella, fibula,
+                             bones->fibula ? length_unit_name(bones->fibula->unit) : "", frames, words),
                   ligaments.text,
                   ligaments.lengths,
                   patella,
@@ -245,7 +248,8 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnost
   if (error.empty()) {
     if (!tried.found) return std::nullopt;
     if (!tried.laxity.empty())
-      report.choices.push_back("laxity      " + tried.laxity + (composed->with_patella ? "; without the patella" : ""));
+      report.choices.push_back("laxity      " + tried.laxity + (composed->with_patella ? "; without the patella" : "") +
+                               (earlier ? "; without your changes" : ""));
     if (!tried.aimed.empty()) report.choices.push_back("for it      " + tried.aimed);
     const std::string fresh = tried.text;
     if (earlier && !keep_changes(asked, files, *earlier, tried, report, out)) return std::nullopt;

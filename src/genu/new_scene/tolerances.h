@@ -61,6 +61,10 @@ inline constexpr double kEpicondylesAside = 0.8;
 /// shaft of a tilted one tells the side; if too small, one stray vertex.
 inline constexpr double kFibulaHead = 0.4;
 
+/// [of the tibia's width] Largest distance of the fibula's head from the middle of the plateau along each axis. Fails
+/// first: if too small, fibulae of small tibiae are refused; if too large, other bones are taken for it.
+inline constexpr double kFibulaReach = 1.1;
+
 /// [of the tibia's width] Distance of the fibula's head from the knee's middle, sideways, from which it tells the side.
 /// Fails first: if too small, a bone amid the knee decides.
 inline constexpr double kFibulaAside = 0.2;
