@@ -74,7 +74,7 @@ class NewFibula : public testing::Test {
   }
 
   std::string written(const Vec3& head) const {
-    const std::string file = folder_ / "fibula.stl";
+    std::string file = folder_ / "fibula.stl";
     EXPECT_TRUE(write_stl(rod(head, down_, 0.09, 6e-3), file, 1e-3, "fibula").empty());
     return file;
   }

@@ -132,7 +132,7 @@ class LeastSquaresSearcher {
     const auto step_of = [&](double damping) {
       if (!has_bounds()) return damped_step(normal, gradient, damping);
       bool held = false;
-      const VecX z = bounded_step(scaled, measure, damping, held);
+      VecX z = bounded_step(scaled, measure, damping, held);
       if (!held) return z;
       VecX better = z;
       release(scaled, measure, damping, better);
