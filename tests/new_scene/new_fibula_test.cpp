@@ -129,6 +129,7 @@ TEST_F(NewFibula, SaysWhichSideIsLateral) {
 
 TEST_F(NewFibula, IsPartOfTheTibiaInTheScene) {
   asked_.fibula.paths = {written(head_)};
+  asked_.picture = folder_ / "knee.svg";
   Diagnostics out;
   const auto made = write_new_scene(asked_, out);
   ASSERT_TRUE(made) << test::messages(out);
@@ -140,6 +141,10 @@ TEST_F(NewFibula, IsPartOfTheTibiaInTheScene) {
   EXPECT_EQ(made->poses_solved, made->poses_asked);
   const std::string text = test::read_file(made->file);
   EXPECT_TRUE(contains(text, "[surface.fibula]\nbody = \"tibia\"\n"));
+  // It is drawn with the tibia, whose colours it has, and its ligaments keep their errors.
+  const std::string picture = test::read_file(asked_.picture);
+  EXPECT_TRUE(contains(picture, "data:image/png;base64,"));
+  EXPECT_TRUE(contains(picture, "LCL ±")) << "as put onto it";
 }
 
 TEST_F(NewFibula, ElsewhereIsRefused) {

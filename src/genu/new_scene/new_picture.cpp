@@ -41,14 +41,24 @@ void add_lines(const std::string& text, std::size_t letters, std::vector<std::st
   if (!line.empty()) out.push_back(line);
 }
 
+/// Two meshes as one.
+Mesh both(Mesh a, const Mesh& b) {
+  const int before = static_cast<int>(a.vertices.size());
+  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+  for (const auto& t : b.triangles) a.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+  return a;
+}
+
 }  // namespace
 
 std::string picture_of(const NewKnee& knee, const Scene& scene) {
   const NewBones& bones = knee.bones;
   const KneeAxes axes = axes_of(knee.layout, knee.left);
-  const FittedKnee fitted = fit_reference_knee(bones.femur_shape(), bones.tibia_shape(), axes);
+  FittedKnee fitted = fit_reference_knee(bones.femur_shape(), bones.tibia_shape(), axes);
+  if (bones.fibula) put_on_fibula(bones.fibula->mesh, fitted);
+  const Mesh lower_leg = bones.fibula ? both(bones.tibia_shape(), bones.fibula->mesh) : bones.tibia_shape();
   KneePicture picture{{&bones.femur_shape()},
-                      {&bones.tibia_shape()},
+                      {&lower_leg},
                       axes.anterior,
                       axes.proximal,
                       axes.lateral,
@@ -60,7 +70,6 @@ std::string picture_of(const NewKnee& knee, const Scene& scene) {
                       {}};
   if (bones.femur_bone) picture.femur.push_back(&bones.femur.mesh);
   if (bones.tibia_bone) picture.tibia.push_back(&bones.tibia.mesh);
-  if (bones.fibula) picture.tibia.push_back(&bones.fibula->mesh);
   std::map<std::string, std::size_t> fibres;
   for (std::size_t i = 0; i < reference_knee().fibres.size(); ++i) fibres[reference_knee().fibres[i].name] = i;
   for (const auto& [i, group] : groups_of(scene)) {
