@@ -70,7 +70,7 @@ inline constexpr double kOntoMesh = 8e-3;
 inline constexpr double kOntoFibula = 15e-3;
 
 /// [of how far they are moved] What it adds to their standard error. Fails first: if too small, ends that the fibula
-/// contradicts are told to be certain.
+/// contradicts are said to be certain.
 inline constexpr double kPutAsFar = 0.5;
 
 /// [m] How much insertions differ between people beyond the shape of their bones (standard deviation; ACL and MCL
