@@ -161,6 +161,10 @@ TEST_F(NewFibula, ElsewhereIsRefused) {
   EXPECT_FALSE(fits(head_ + 0.5 * down_));
   EXPECT_FALSE(fits(head_ - 0.08 * down_)) << "beside the femur";
   EXPECT_FALSE(fits(head_ + 0.1 * knee_.right));
+  bones_.fibula = NewBone{};
+  Diagnostics empty;
+  EXPECT_FALSE(check_fibula(asked_, bones_, knee_, empty));
+  EXPECT_TRUE(contains(test::messages(empty), "has no triangles")) << test::messages(empty);
 }
 
 TEST_F(NewFibula, OfAnotherBonesFileIsRefused) {

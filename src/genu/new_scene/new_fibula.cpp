@@ -43,6 +43,10 @@ std::optional<bool> left_by_fibula(const Mesh& fibula, const KneeLayout& knee) {
 
 bool check_fibula(const NewScene& asked, const NewBones& bones, const KneeLayout& knee, Diagnostics& out) {
   if (!bones.fibula) return true;
+  if (bones.fibula->mesh.empty()) {
+    out.error(Code::layout, asked.fibula.text(), "has no triangles");
+    return false;
+  }
   const FibulaHead head = head_of(bones.fibula->mesh, knee);
   const auto mm = [&](double widths) { return to::kMillimetre * widths * knee.width; };
   if (std::abs(head.right) < kFibulaReach && std::abs(head.anterior) < kFibulaReach && head.proximal < 0 &&

@@ -78,8 +78,8 @@ class Settling {
     return true;
   }
 
-  /// Tests the knee's laxity, and changes ligaments and menisci until it is that of usual
-  /// knees. Without that where the changed knee does not bend.
+  /// Tests the knee's laxity, and changes ligaments and menisci until it is that of usual knees. Without that where the
+  /// changed knee does not bend.
   void aim() {
     if (!bends()) return;
     Diagnostics ignored;
