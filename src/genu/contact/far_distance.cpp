@@ -9,30 +9,74 @@
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/distance.h>
+#include <fcl/narrowphase/detail/traversal/distance/bvh_shape_distance_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/traversal_recurse.h>
 #include <tbb/parallel_invoke.h>
 #include <Eigen/Geometry>
 
 #include "genu/contact/feature_normals.h"
 #include "genu/contact/tolerances.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/nearest_point.h"
 #include "genu/mesh/tolerances.h"
 #include "genu/mesh/winding_number.h"
 
 namespace genu {
 namespace {
 
-// FCL tests triangles with an absolute 1e-15, which breaks small ones in metres: it gets millimetres.
-constexpr double kMillimetres = 1e3;
+using Bvh = fcl::BVHModel<fcl::AABBd>;
 
-using Bvh = fcl::BVHModel<fcl::RSSd>;
+/// FCL's way through a tree of boxes to the triangle nearest to a point. FCL's own test of a triangle takes three times
+/// as long (it knows no points, only spheres), and its absolute 1e-15 breaks small triangles in metres.
+struct ToNearest final : fcl::detail::BVHShapeDistanceTraversalNode<fcl::AABBd, fcl::Sphered> {
+  ToNearest(const Bvh& tree, const Vec3& point) : x(point) { model1 = &tree; }
+
+  double BVTesting(int box, int /*unused*/) const override {
+    const fcl::AABBd& b = model1->getBV(box).bv;
+    return (b.min_ - x).cwiseMax(x - b.max_).cwiseMax(0.0).squaredNorm();
+  }
+
+  void leafTesting(int box, int /*unused*/) const override {
+    const int t = model1->getBV(box).primitiveId();
+    const fcl::Triangle& corner = model1->tri_indices[t];
+    const Vec3* v = model1->vertices;
+    const Vec3 p = nearest_on_triangle(x, v[corner[0]], v[corner[1]], v[corner[2]]);
+    const double d = (p - x).squaredNorm();
+    if (!(d < square)) return;
+    square = d;
+    triangle = t;
+    at = p;
+  }
+
+  bool canStop(double square_of_box) const override { return square_of_box >= square; }
+
+  Vec3 x;
+  mutable double square = std::numeric_limits<double>::infinity();  ///< m^2
+  mutable int triangle = -1;
+  mutable Vec3 at = Vec3::Zero();
+};
+
+/// Half of what the winding number ranges over: away from the sheet it is a harmonic function, largest and smallest at
+/// the sheet itself. Seen from both sides of the middles of some triangles.
+double half_range_of(const WindingNumber& winding, const Mesh& mesh) {
+  const std::size_t count = mesh.triangles.size(), stride = std::max<std::size_t>(count / kWindingsAtSheet, 1);
+  double low = 0, high = 0;
+  for (std::size_t t = 0; t < count; t += stride) {
+    const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[at(mesh.triangles[t][k])]; };
+    const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    const Vec3 off = kBesideSheet / std::sqrt(normal.norm()) * normal;
+    const double behind = winding((corner(0) + corner(1) + corner(2)) / 3 - off);
+    high = std::max(high, behind);
+    low = std::min(low, behind - 1);  // across the sheet it falls by a turn
+  }
+  return kWindingReserve * 0.5 * (high - low);
+}
 
 /// How far a point may go (m) until its winding number can reach kBehindEdgeWinding: away from the surface, which is
-/// `distance` away, it is a harmonic function, whose gradient at the distance r from x is at most 3/2 sup|w| /
-/// (distance
-/// - r) (Axler, Bourdon and Ramey, Harmonic Function Theory, 2001, theorem 6.26), and sup|w| is about 1.
-double same_side(double winding, double distance) {
-  return winding < kBehindEdgeWinding ? distance * -std::expm1((winding - kBehindEdgeWinding) / 1.5) : 0;
+/// `distance` away, its gradient at the distance r from x is at most 3/2 half_range / (distance - r) (Axler, Bourdon
+/// and Ramey, Harmonic Function Theory, 2001, theorem 6.26).
+double same_side(double winding, double half_range, double distance) {
+  return winding < kBehindEdgeWinding ? distance * -std::expm1((winding - kBehindEdgeWinding) / (1.5 * half_range)) : 0;
 }
 
 /// Without triangles of zero area (to rounding): a nearest point on one has no side.
@@ -71,17 +115,20 @@ struct FarDistance::Triangles {
   }
 
   void build_tree() {
-    std::vector<Vec3> vertices;
     std::vector<fcl::Triangle> triangles;
-    vertices.reserve(mesh.vertices.size());
     triangles.reserve(mesh.triangles.size());
-    for (const Vec3& v : mesh.vertices) vertices.push_back(kMillimetres * v);
     for (const auto& t : mesh.triangles)
       triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
                              static_cast<std::size_t>(t[2]));
-    bvh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
-    bvh->addSubModel(vertices, triangles);
+    bvh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
+    bvh->addSubModel(mesh.vertices, triangles);
     bvh->endModel();
+  }
+
+  ToNearest nearest_triangle(const Vec3& x) const {
+    ToNearest found(*bvh, x);
+    fcl::detail::distanceRecurse<double>(&found, 0, 0, nullptr);
+    return found;
   }
 
   /// The nearest point of a single sheet gives the side reliably. At the edge of a hole it gives none, and between
@@ -89,12 +136,15 @@ struct FarDistance::Triangles {
   void tell_sides() {
     normals.emplace(mesh);
     entangled = pieces_may_meet(mesh);
-    if (normals->any_open() || entangled) winding = std::make_unique<WindingNumber>(mesh);
+    if (!normals->any_open() && !entangled) return;
+    winding = std::make_unique<WindingNumber>(mesh);
+    half_range = half_range_of(*winding, mesh);
   }
 
   Mesh mesh;
   std::optional<FeatureNormals> normals;
   std::unique_ptr<WindingNumber> winding;  // where the nearest point does not give the side reliably
+  double half_range = 1;                   // of the winding number
   bool entangled = false;                  // that is so everywhere
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
 };
@@ -114,17 +164,12 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     }
     return out;
   }
-  const fcl::Sphered point(kPointSphereRadius);
-  const fcl::Transform3d here(Eigen::Translation3d(kMillimetres * x));
-  fcl::DistanceRequestd request(true);
-  request.gjk_solver_type = fcl::GST_INDEP;
-  fcl::DistanceResultd result;
-  fcl::distance(triangles_->bvh.get(), fcl::Transform3d::Identity(), &point, here, request, result);
-  const Vec3 on_mesh = result.nearest_points[0] / kMillimetres;
+  const ToNearest found = triangles_->nearest_triangle(x);
+  const Vec3& on_mesh = found.at;
   const Vec3 away = x - on_mesh;
   const double distance = away.norm();
   bool open = false;
-  const Vec3 normal = triangles_->normals->at(result.b1, on_mesh, open).normalized();
+  const Vec3 normal = triangles_->normals->at(found.triangle, on_mesh, open).normalized();
   out.beyond_edge = open;
   double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
   out.same_side = std::numeric_limits<double>::infinity();
@@ -132,7 +177,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     const double winding = (*triangles_->winding)(x);
     const bool behind = open && !triangles_->entangled && away.dot(normal) < 0;
     if ((open || triangles_->entangled) && winding > (behind ? kBehindEdgeWinding : kInsideWinding)) side = -1;
-    out.same_side = same_side(winding, distance);
+    out.same_side = same_side(winding, triangles_->half_range, distance);
   }
   if (side < 0) out.same_side = 0;
   out.distance = side * distance;

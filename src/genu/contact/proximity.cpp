@@ -113,17 +113,24 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
       open_.push_back(group.children);
       continue;
     }
+    Memory widest;  // of this leaf's samples that have been tested: what is clear round one is so round its neighbours
     for (int k = group.first; k < group.last; ++k) {
       const int i = order_[at(k)];
       Memory& known = tested(i).memory;
       const Vec3 x = X_qs * samples_->points[at(i)];
       if (known.clearance - (x - known.at).norm() > window) continue;
+      if (const double clearance = widest.clearance - (x - widest.at).norm(); clearance > window) {
+        known.clearance = clearance;
+        known.at = x;
+        continue;
+      }
       if (const double front = queried_->clear_in_front(x); front > window) {
         known.clearance = front;
         known.at = x;
         continue;
       }
       visit(i);
+      if (const Memory& now = tested(i).memory; now.clearance > widest.clearance) widest = now;
     }
   }
 }

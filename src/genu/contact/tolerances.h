@@ -33,12 +33,21 @@ inline constexpr double kInsideWinding = 0.5;
 /// behind an edge have a positive gap.
 inline constexpr double kBehindEdgeWinding = 0.2;
 
+/// [1] Places on a sheet where its winding number is looked at. Fails first: if too small, its range is
+/// underestimated.
+inline constexpr std::size_t kWindingsAtSheet = 1000;
+
+/// [edge] How far behind the sheet. Fails first: if too small, round-off tells the side; if too large, it is not the
+/// limit.
+inline constexpr double kBesideSheet = 1e-3;
+
+/// [1] What the range of a winding number over these places is multiplied by. Fails first: if too small, a change of
+/// side is missed; if too large, sides are looked at often (time).
+inline constexpr double kWindingReserve = 1.1;
+
 /// [1] Pieces whose boxes are compared; more count as entangled. Fails first: if too small, winding numbers for nothing
 /// (time).
 inline constexpr int kMaxPiecesCompared = 64;
-
-/// [mm] Radius of the sphere that stands for a point in FCL. Fails first: if too large, distances are short by it.
-inline constexpr double kPointSphereRadius = 1e-6;
 
 // feature_normals
 
