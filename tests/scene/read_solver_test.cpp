@@ -9,13 +9,29 @@ TEST(ReadSolver, ToleranceOrItsDefault) {
   Diagnostics out;
   EXPECT_EQ(parse_scene(kGoodScene, "s", out)->solver.tolerance, 1e-12);
   EXPECT_EQ(parse_scene(kGoodScene + "[solver]\n", "s", out)->solver.tolerance, 1e-12);
-  for (const auto& [text, value] : std::vector<std::pair<std::string, double>>{
-           {"1e-8", 1e-8}, {"1e-14", 1e-14}, {"0.001", 1e-3}, {"2.5E-7", 2.5e-7}}) {
+  for (const auto& [text, value] :
+       std::vector<std::pair<std::string, double>>{{"1e-10", 1e-10}, {"1e-14", 1e-14}, {"2.5E-11", 2.5e-11}}) {
     const auto scene = parse_scene(kGoodScene + kSolver + text + "\n", "s", out);
     ASSERT_TRUE(scene) << all_messages(out);
     EXPECT_EQ(scene->solver.tolerance, value);
   }
   EXPECT_TRUE(out.items().empty()) << all_messages(out);
+}
+
+/// Looser ones are said to count as the loosest that contacts and events allow.
+TEST(ReadSolver, LooseTolerancesCountAsTheLoosest) {
+  for (const auto& [text, shown] :
+       std::vector<std::pair<std::string, std::string>>{{"1.1e-10", "1.1e-10"}, {"1e-8", "1e-08"}, {"1e-3", "0.001"}}) {
+    Diagnostics out;
+    const auto scene = parse_scene(kGoodScene + kSolver + text + "\n", "s", out);
+    ASSERT_TRUE(scene) << all_messages(out);
+    EXPECT_EQ(scene->solver.tolerance, 1e-10);
+    ASSERT_EQ(out.items().size(), 1U) << all_messages(out);
+    EXPECT_FALSE(out.has_errors());
+    const std::string said = all_messages(out);
+    EXPECT_NE(said.find("solver.tolerance"), std::string::npos) << said;
+    EXPECT_NE(said.find(shown + ": counts as 1e-10"), std::string::npos) << said;
+  }
 }
 
 void expect_solver_refused(const std::string& lines, const std::string& key, const std::string& found,

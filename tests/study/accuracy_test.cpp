@@ -2,6 +2,7 @@
 // said.
 #include "genu/study/accuracy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -103,7 +104,8 @@ TEST_F(Accuracy, OfAKneeInClosedFormFallsWithTheEdges) {
   EXPECT_GT(worst(*coarse, "position"), 6 * worst(*middle, "position"));
   EXPECT_GT(worst(*middle, "position"), 6 * worst(*fine, "position"));
   // The solver's own error, and paths in other increments, which are the same path.
-  EXPECT_LT(worst(*point("tolerance 1e-08"), "position"), 1e-5);
+  ASSERT_NE(point("tolerance 1e-10"), nullptr);
+  EXPECT_LT(worst(*point("tolerance 1e-10"), "position"), 1e-9);
   EXPECT_LT(worst(*point("increments x 2"), "position"), 1e-9);
   EXPECT_NE(report_.sentence.find(" a pose: "), std::string::npos) << report_.sentence;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/accuracy.svg"));
@@ -136,10 +138,8 @@ TEST_F(Accuracy, OneRoundHasTheTolerancesOfTheChosenMeshToo) {
   ASSERT_EQ(run_accuracy(knee(), std::nullopt, {{"0.005mm"}, 9, 0}, {}, out_, report_, own_), kExitOk);
   EXPECT_EQ(report_.rounds, 1);
   EXPECT_NE(to_text(report_).find("nothing tells how far to trust it"), std::string::npos);
-  int joined = 0;
-  for (const AccuracyPoint& p : report_.points)
-    if (p.setting.tolerance > 0 && p.setting.edge_factor > 0) ++joined;
-  EXPECT_EQ(joined, 3);
+  const auto joined = [](const AccuracyPoint& p) { return p.setting.tolerance > 0 && p.setting.edge_factor > 0; };
+  EXPECT_EQ(std::count_if(report_.points.begin(), report_.points.end(), joined), 1);
 }
 
 /// The tolerance that was solved with is the one that is written, wherever the file says its own.
@@ -159,12 +159,12 @@ TEST_F(Accuracy, AChosenToleranceIsWrittenAndAsExactAsWasSaid) {
     const std::string file = folder_.write("coarse.toml", scenes[k]);
     const auto prepared = prepare(file, out);
     ASSERT_TRUE(prepared) << test::messages(out);
-    const AccuracySetting setting{.tolerance = 1e-3};
+    const AccuracySetting setting{.tolerance = 1e-10};
     const auto files = chosen_scene(file, *prepared, setting, folder_ / "out", out);
     ASSERT_EQ(files.size(), 1u) << test::messages(out);
     const auto written = parse_scene(files[0].second, "written.toml", out);
     ASSERT_TRUE(written) << test::messages(out);
-    EXPECT_EQ(written->solver.tolerance, 1e-3);
+    EXPECT_EQ(written->solver.tolerance, 1e-10);
     EXPECT_EQ(k == 1, files[0].second.find("# fine") != std::string::npos);
     const auto trial = with_setting(*prepared, setting);
     ContactField field(trial->model);
@@ -175,11 +175,11 @@ TEST_F(Accuracy, AChosenToleranceIsWrittenAndAsExactAsWasSaid) {
 TEST_F(Accuracy, CountsErrorsFromAFinerToleranceThanTheScenes) {
   const std::string scene = folder_.write("coarse.toml", test::read_file(knee()) + "\n[solver]\ntolerance = 1e-3\n");
   ASSERT_EQ(run(scene, {}), kExitOk) << test::messages(out_);
-  EXPECT_GT(worst(report_.points[0], "position"), 1e-5) << "its own tolerance is its error";
+  EXPECT_GT(worst(report_.points[0], "position"), 0) << "its own tolerance is its error";
+  EXPECT_LT(worst(report_.points[0], "position"), 1e-6) << "no looser than contacts and events need";
   ASSERT_NE(point("tolerance 1e-12"), nullptr);
   EXPECT_EQ(worst(*point("tolerance 1e-12"), "position"), 0);
-  EXPECT_LT(worst(*point("tolerance 1e-08"), "position"), 1e-5);
-  EXPECT_EQ(point("tolerance 1e-03"), nullptr) << "that is the scene as it is";
+  EXPECT_EQ(point("tolerance 1e-10"), nullptr) << "that is the scene as it is";
 }
 
 TEST_F(Accuracy, TimeIsToldApart) {

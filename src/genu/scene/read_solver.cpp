@@ -1,4 +1,6 @@
 // [solver]: how exactly poses are solved.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "genu/scene/read_parts.h"
@@ -16,7 +18,13 @@ void read_solver(ReadContext& context, Section& root) {
     refuse(context, tolerance, Code::out_of_range,
            fmt::format("must be from {:g} to {:g}", kMinSolverTolerance, kMaxSolverTolerance));
   else if (value)
-    context.scene.solver.tolerance = *value;
+    context.scene.solver.tolerance = std::min(*value, kLoosestSolverTolerance);
+  if (value && *value > kLoosestSolverTolerance && *value <= kMaxSolverTolerance && !context.in_motion)
+    context.warning(
+        tolerance.node->where, Code::no_effect, tolerance.path, literal(*tolerance.node),
+        fmt::format("counts as {:g}: contacts and events are decided by poses, and looser ones lose contacts "
+                    "and save no time",
+                    kLoosestSolverTolerance));
   section.finish();
   if (context.in_motion)
     context.error(item.node->key_where, Code::no_effect, item.path, {},

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/scene/tolerances.h"
 #include "genu/store/report.h"
 #include "genu/study/accuracy_choice.h"
 #include "genu/study/accuracy_trials.h"
@@ -179,7 +180,8 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   }
   if (folder && !report.targets.empty()) {
     // Before an hour of solving: could every setting be written?
-    const AccuracySetting all{.edge_factor = 3, .degree = 2, .tolerance = 1e-5, .layer_tolerance = 1e-2};
+    const AccuracySetting all{
+        .edge_factor = 3, .degree = 2, .tolerance = kLoosestSolverTolerance, .layer_tolerance = 1e-2};
     if (chosen_scene(path, *prepared, all, *folder, out).empty() || out.has_errors()) return kExitRefused;
   }
   ContactField field(prepared->model);

@@ -12,6 +12,7 @@
 #include "genu/mesh/mesh_coarsen.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/model/build_model.h"
+#include "genu/scene/tolerances.h"
 #include "genu/study/tolerances.h"
 #include "genu/surface/blend_surface.h"
 #include "genu/surface/facet_surface.h"
@@ -126,7 +127,7 @@ std::vector<AccuracySetting> accuracy_settings(const Prepared& p) {
       if (fits || edge > 1) add({.edge_factor = edge, .degree = degree}, Knob::mesh);
   if (any_fit(p))
     for (const double radius : {0.8, 1.25}) add({.radius_factor = radius}, Knob::radius);
-  for (const double tolerance : {1e-3, 1e-5, 1e-8, SolverDef{}.tolerance})
+  for (const double tolerance : {kLoosestSolverTolerance, SolverDef{}.tolerance})
     if (tolerance != p.scene.solver.tolerance) add({.tolerance = tolerance}, Knob::tolerance);
   for (const double times : {0.25, 0.5, 2.0}) {
     const auto whole = [&](const StepPlan& step) {
