@@ -94,12 +94,15 @@ bool in_bowl(const GapJet& jet, const Descent& known, const DescentLimits& limit
          std::abs(jet.value - known.minimum.gap - rise) <= kBowlShare * rise;
 }
 
+bool in_known_bowl(const GapJet& jet, const DescentLimits& limits) {
+  return limits.known != nullptr && is_convex(jet) &&
+         std::any_of(limits.known->begin(), limits.known->end(),
+                     [&](const Descent& d) { return in_bowl(jet, d, limits); });
+}
+
 /// Whether the descent ends at a known minimum, or on a plateau (plane on plane) where every point is a minimum.
 bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
   if (limits.known == nullptr) return false;
-  if (is_convex(jet) && std::any_of(limits.known->begin(), limits.known->end(),
-                                    [&](const Descent& d) { return in_bowl(jet, d, limits); }))
-    return true;
   const bool plateau = jet.gradient.norm() <= 1e-12 && jet.hessian.norm() * limits.same <= 1e-9;
   if (plateau) {
     return std::any_of(limits.known->begin(), limits.known->end(),
@@ -143,6 +146,7 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
   bool settled = false;
   const Vec3 from = jet.b.p;
   for (int i = 0; i < kMaxDescentSteps && radius > kShortestDescent; ++i) {
+    if (in_known_bowl(jet, limits)) return std::nullopt;  // most starts end here
     const bool flat = jet.gradient.norm() <= kFlatGradient;
     const auto off_saddle = flat ? way_off_a_saddle(jet, radius) : std::nullopt;
     if (flat && !off_saddle) {

@@ -382,9 +382,10 @@ void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, d
     const double angle = first + 2 * M_PI * k / directions;
     SurfacePoint start;
     if (!sampled_->retract(from, radius * Vec2(std::cos(angle), std::sin(angle)), start)) continue;
-    const auto descent = descend(X_qs, start.p);
-    if (descent && descent->settled && edge_distance(descent->minimum.contact) >= 0)
-      insert_distinct(out, descent->minimum, kSamePoint * spacing_);
+    const auto descent = descend_gap(*queried_, *sampled_, X_qs, start.p, {.max_step = spacing_}, {&start, nullptr});
+    if (!descent || !descent->settled) continue;
+    const LocalMinimum found = oriented(descent->minimum, samples_b_);
+    if (edge_distance(found.contact) >= 0) insert_distinct(out, found, kSamePoint * spacing_);
   }
 }
 
