@@ -109,6 +109,73 @@ TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
   EXPECT_LT(beyond, 450);
 }
 
+/// A square sheet over [-1, 1]^2, bent: where each place of it goes.
+template <typename Place>
+Mesh bent_sheet(int cells, const Place& place) {
+  Mesh mesh = flat_facets(1, cells).triangles(0, Vec3::Zero(), 0);
+  for (Vec3& v : mesh.vertices) v = place(v.x(), v.y());
+  return mesh;
+}
+
+Mesh turned(Mesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
+  return mesh;
+}
+
+Mesh both(Mesh a, const Mesh& b) {
+  const int first = static_cast<int>(a.vertices.size());
+  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+  for (const auto& t : b.triangles) a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return a;
+}
+
+/// From random points outside, as far as their side is said to be known: none gets inside. (Not of sheets that look at
+/// the backs of others: halfway between, a point changes from the front of one to the back of the other.)
+void expect_sides_kept(const std::string& name, const Mesh& mesh) {
+  SCOPED_TRACE(name);
+  const FacetSurface facets(mesh);
+  const FarDistance far(facets);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  int asked = 0, lost = 0;
+  double longest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 x = test::random_vector(random, i % 2 == 0 ? 0.03 : 0.012);
+    const FarDistance::Nearest here = far.nearest(x);
+    const double way = std::min(here.same_side, 0.999 * here.distance);
+    if (!(here.distance > 1e-3) || !(way > 0)) continue;
+    const Vec3 away = test::random_vector(random, 1).normalized();
+    const double go = (i % 3 == 0 ? share(random) : 0.999) * way;
+    ++asked;
+    lost += far.nearest(x + go * away).distance < 0 ? 1 : 0;
+    longest = std::max(longest, here.same_side / here.distance);
+  }
+  EXPECT_GT(asked, 2000);
+  EXPECT_EQ(lost, 0) << "of " << asked;
+  EXPECT_GT(longest, 0.2) << "of the distance: it would be asked at every pose";
+}
+
+TEST(FarDistance, APointKeepsItsSideForAsFarAsIsSaid) {
+  const Mesh flat = bent_sheet(8, [](double u, double v) { return Vec3(0.01 * u, 0.01 * v, 0); });
+  const Mesh strip = bent_sheet(12, [](double u, double v) { return Vec3(0.015 * u, 0.003 * v, 0); });
+  const Mesh cap = bent_sheet(10, [](double u, double v) { return Vec3(0.01 * Vec3(u, v, 0.5).normalized()); });
+  const Mesh saddle =
+      bent_sheet(10, [](double u, double v) { return Vec3(0.01 * u, 0.01 * v, 0.004 * (u * u - v * v)); });
+  const Mesh gutter = bent_sheet(
+      12, [](double u, double v) { return Vec3(0.01 * std::sin(2.5 * u), 0.015 * v, 0.01 * std::cos(2.5 * u)); });
+  Mesh over = flat;
+  for (Vec3& v : over.vertices) v.z() += 0.008;
+  expect_sides_kept("flat", flat);
+  expect_sides_kept("two triangles", bent_sheet(1, [](double u, double v) { return Vec3(0.01 * u, 0.01 * v, 0); }));
+  expect_sides_kept("strip", strip);
+  expect_sides_kept("cap", cap);
+  expect_sides_kept("cup", turned(cap));
+  expect_sides_kept("saddle", saddle);
+  expect_sides_kept("gutter", gutter);
+  expect_sides_kept("tunnel", turned(gutter));
+  expect_sides_kept("face to face", both(flat, turned(over)));
+}
+
 /// The side of random points, told by the mesh without what makes it hard.
 void expect_side_of(const FacetSurface& facets, const Surface& exact, double reach) {
   const FarDistance far(facets);

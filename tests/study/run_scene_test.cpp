@@ -206,17 +206,16 @@ TEST(RunScene, PosesAreSolvedAsExactlyAsTheSceneAsksFor) {
   const auto with = [&](const std::string& tolerance) {
     return test::table_of(text + "\n[solver]\ntolerance = " + tolerance + "\n");
   };
-  const ResultTable own = test::table_of(text), coarse = with("1e-5"), coarser = with("1e-3"), fine = with("1e-14");
+  const ResultTable own = test::table_of(text), coarse = with("1e-10"), fine = with("1e-14");
   EXPECT_EQ(SolverDef{}.tolerance, NewtonOptions{}.residual_tolerance);
   EXPECT_EQ(own.to_csv(), with("1e-12").to_csv());
   EXPECT_LE(worst_residual(own), 1e-12);
-  EXPECT_LE(worst_residual(coarse), 1e-5);
-  EXPECT_GT(worst_residual(coarse), 1e-8);
-  EXPECT_LE(worst_residual(coarser), 1e-3);
-  EXPECT_GT(worst_residual(coarser), worst_residual(coarse));
+  EXPECT_LE(worst_residual(coarse), 1e-10);
+  EXPECT_GT(worst_residual(coarse), 1e-12);
+  EXPECT_EQ(coarse.to_csv(), with("1e-3").to_csv()) << "no looser than contacts and events need";
   EXPECT_LT(worst_residual(fine), 1e-12);
-  EXPECT_GT(test::worst_difference(own, coarse, "knee.x_mm"), 1e-9);
-  EXPECT_LT(test::worst_difference(own, coarse, "knee.x_mm"), 1e-3);
+  EXPECT_GT(test::worst_difference(own, coarse, "knee.x_mm"), 0);
+  EXPECT_LT(test::worst_difference(own, coarse, "knee.x_mm"), 1e-8);
 }
 
 TEST(RunScene, AKneeMovedInSpaceIsTheSameKnee) {

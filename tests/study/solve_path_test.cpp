@@ -2,6 +2,7 @@
 #include "genu/study/solve_path.h"
 
 #include <memory>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,9 @@ namespace {
 Solved path_with(const std::string& file, const std::string& tolerance) {
   Diagnostics out;
   auto scene = parse_scene(test::read_file(file) + "\n[solver]\ntolerance = " + tolerance + "\n", file, out);
-  EXPECT_TRUE(scene) << test::messages(out);
+  if (!scene) throw std::runtime_error(test::messages(out));
   auto prepared = prepare(std::move(*scene), std::make_shared<MeshLibrary>(), out);
-  EXPECT_TRUE(prepared) << test::messages(out);
+  if (!prepared) throw std::runtime_error(test::messages(out));
   ContactField field(prepared->model);
   return solve_path(*prepared, field, {});
 }

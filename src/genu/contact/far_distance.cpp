@@ -57,7 +57,7 @@ struct ToNearest final : fcl::detail::BVHShapeDistanceTraversalNode<fcl::AABBd, 
 };
 
 /// Half of what the winding number ranges over: away from the sheet it is a harmonic function, largest and smallest at
-/// the sheet itself. Seen from both sides of the middles of some triangles.
+/// the sheet itself. Seen from both sides of the middles of some triangles; another sheet may be just behind.
 double half_range_of(const WindingNumber& winding, const Mesh& mesh) {
   const std::size_t count = mesh.triangles.size(), stride = std::max<std::size_t>(count / kWindingsAtSheet, 1);
   double low = 0, high = 0;
@@ -65,9 +65,11 @@ double half_range_of(const WindingNumber& winding, const Mesh& mesh) {
     const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[at(mesh.triangles[t][k])]; };
     const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     const Vec3 off = kBesideSheet / std::sqrt(normal.norm()) * normal;
-    const double behind = winding((corner(0) + corner(1) + corner(2)) / 3 - off);
-    high = std::max(high, behind);
-    low = std::min(low, behind - 1);  // across the sheet it falls by a turn
+    const Vec3 middle = (corner(0) + corner(1) + corner(2)) / 3;
+    for (const double side : {winding(middle - off), winding(middle + off)}) {
+      high = std::max(high, side);
+      low = std::min(low, side);
+    }
   }
   return kWindingReserve * 0.5 * (high - low);
 }
@@ -76,7 +78,16 @@ double half_range_of(const WindingNumber& winding, const Mesh& mesh) {
 /// `distance` away, its gradient at the distance r from x is at most 3/2 half_range / (distance - r) (Axler, Bourdon
 /// and Ramey, Harmonic Function Theory, 2001, theorem 6.26).
 double same_side(double winding, double half_range, double distance) {
-  return winding < kBehindEdgeWinding ? distance * -std::expm1((winding - kBehindEdgeWinding) / (1.5 * half_range)) : 0;
+  const double left = kBehindEdgeWinding - winding - kWindingError;
+  return left > 0 ? distance * -std::expm1(-left / (1.5 * half_range)) : 0;
+}
+
+/// How far a point beyond an edge may go (m) until it is behind the sheet itself, which tells its side: to the plane
+/// that stands on the edge. Faces beside the edge have other normals than it. Infinite where it is well in front.
+double over_the_edge(const Vec3& away, const Vec3& normal) {
+  const double height = away.dot(normal), turned = kEdgeTurn * away.norm();
+  if (height > turned) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, (away - height * normal).norm() - turned);
 }
 
 /// Without triangles of zero area (to rounding): a nearest point on one has no side.
@@ -127,7 +138,7 @@ struct FarDistance::Triangles {
 
   ToNearest nearest_triangle(const Vec3& x) const {
     ToNearest found(*bvh, x);
-    fcl::detail::distanceRecurse<double>(&found, 0, 0, nullptr);
+    if (!mesh.triangles.empty()) fcl::detail::distanceRecurse<double>(&found, 0, 0, nullptr);
     return found;
   }
 
@@ -165,6 +176,10 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     return out;
   }
   const ToNearest found = triangles_->nearest_triangle(x);
+  if (found.triangle < 0) {  // there is none
+    out.distance = out.same_side = std::numeric_limits<double>::infinity();
+    return out;
+  }
   const Vec3& on_mesh = found.at;
   const Vec3 away = x - on_mesh;
   const double distance = away.norm();
@@ -178,6 +193,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     const bool behind = open && !triangles_->entangled && away.dot(normal) < 0;
     if ((open || triangles_->entangled) && winding > (behind ? kBehindEdgeWinding : kInsideWinding)) side = -1;
     out.same_side = same_side(winding, triangles_->half_range, distance);
+    if (open && !triangles_->entangled) out.same_side = std::min(out.same_side, over_the_edge(away, normal));
   }
   if (side < 0) out.same_side = 0;
   out.distance = side * distance;

@@ -30,7 +30,8 @@ struct NearSample {
 struct ProximityScan {
   std::vector<LocalMinimum> minima;  ///< converged local minima below the window, by gap, without duplicates
   std::vector<LocalMinimum> edge;    ///< the gap decreases across the edge of a patch and is below the window there
-  double smallest_sample_gap = 0;    ///< m; to the smooth surface within its band, to facets beyond
+  double smallest_sample_gap = 0;    ///< m; below the window exact; above it a neighbour's may be smaller. To the
+                                     ///< smooth surface within its band, to facets beyond
   NearSample deepest;                ///< the sample of that gap
   double swallowed = 0;              ///< m, < 0: depth of a point of the queried surface inside the sampled one
 };

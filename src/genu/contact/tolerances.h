@@ -35,9 +35,9 @@ inline constexpr double kBehindEdgeWinding = 0.2;
 
 /// [1] Places on a sheet where its winding number is looked at. Fails first: if too small, its range is
 /// underestimated.
-inline constexpr std::size_t kWindingsAtSheet = 1000;
+inline constexpr std::size_t kWindingsAtSheet = 300;
 
-/// [edge] How far behind the sheet. Fails first: if too small, round-off tells the side; if too large, it is not the
+/// [edge] How far from the sheet, on either side. Fails first: if too small, round-off tells the side; if too large, it is not the
 /// limit.
 inline constexpr double kBesideSheet = 1e-3;
 
@@ -45,13 +45,21 @@ inline constexpr double kBesideSheet = 1e-3;
 /// side is missed; if too large, sides are looked at often (time).
 inline constexpr double kWindingReserve = 1.1;
 
+/// [1] Sine of the angle between the normal of an edge of a sheet and those of the faces beside it. Fails first: if too
+/// small, a change of side is missed.
+inline constexpr double kEdgeTurn = 0.2;
+
+/// [turn] Largest error of a winding number (test WindingNumber.FastIsExact). Fails first: if too small, a change of
+/// side is missed.
+inline constexpr double kWindingError = 0.04;
+
 /// [1] Pieces whose boxes are compared; more count as entangled. Fails first: if too small, winding numbers for nothing
 /// (time).
 inline constexpr int kMaxPiecesCompared = 64;
 
 // feature_normals
 
-/// [1] Barycentric coordinate below which a nearest point lies on an edge or vertex (FCL's carry 1e-9). Fails first: if
+/// [1] Barycentric coordinate below which a nearest point lies on an edge or vertex. Fails first: if
 /// too small, the sign of a distance comes from one facet.
 inline constexpr double kOnFeature = 1e-7;
 

@@ -22,7 +22,7 @@ void read_solver(ReadContext& context, Section& root) {
   if (value && *value > kLoosestSolverTolerance && *value <= kMaxSolverTolerance && !context.in_motion)
     context.warning(
         tolerance.node->where, Code::no_effect, tolerance.path, literal(*tolerance.node),
-        fmt::format("counts as {:g}: contacts and events are decided by poses, and looser ones lose contacts "
+        fmt::format("counts as {:g}: contacts and events are decided by poses, and looser ones can lose contacts "
                     "and save no time",
                     kLoosestSolverTolerance));
   section.finish();
