@@ -37,8 +37,8 @@ inline constexpr double kBehindEdgeWinding = 0.2;
 /// underestimated.
 inline constexpr std::size_t kWindingsAtSheet = 300;
 
-/// [edge] How far from the sheet, on either side. Fails first: if too small, round-off tells the side; if too large, it is not the
-/// limit.
+/// [edge] How far from the sheet, on either side. Fails first: if too small, round-off tells the side; if too large, it
+/// is not the limit.
 inline constexpr double kBesideSheet = 1e-3;
 
 /// [1] What the range of a winding number over these places is multiplied by. Fails first: if too small, a change of

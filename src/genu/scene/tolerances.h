@@ -93,12 +93,12 @@ inline constexpr std::size_t kMaxSolidParts = 1000;
 /// accepted.
 inline constexpr double kMinSolverTolerance = 1e-14;
 
-/// [1] Coarsest residual tolerance that is accepted and not taken for a mistake. Fails first: if too small, files of old
-/// are refused.
+/// [1] Coarsest residual tolerance that is accepted and not taken for a mistake. Fails first: if too small, files of
+/// old are refused.
 inline constexpr double kMaxSolverTolerance = 1e-3;
 
-/// [1] Residual tolerance that looser ones count as. Fails first: if too large, contacts that split are lost, and events
-/// are sought in noise (time).
+/// [1] Residual tolerance that looser ones count as. Fails first: if too large, contacts that split are lost, and
+/// events are sought in noise (time).
 inline constexpr double kLoosestSolverTolerance = 1e-10;
 
 // read_steps
