@@ -7,6 +7,7 @@
 #include "genu/mesh/nearest_point.h"
 #include "genu/surface/facet_surface.h"
 #include "support/brute_force.h"
+#include "support/mesh_parts.h"
 
 namespace genu {
 namespace {
@@ -117,18 +118,6 @@ Mesh bent_sheet(int cells, const Place& place) {
   return mesh;
 }
 
-Mesh turned(Mesh mesh) {
-  for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
-  return mesh;
-}
-
-Mesh both(Mesh a, const Mesh& b) {
-  const int first = static_cast<int>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& t : b.triangles) a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  return a;
-}
-
 /// From random points outside, as far as their side is said to be known: none gets inside. (Not of sheets that look at
 /// the backs of others: halfway between, a point changes from the front of one to the back of the other.)
 void expect_sides_kept(const std::string& name, const Mesh& mesh) {
@@ -169,11 +158,11 @@ TEST(FarDistance, APointKeepsItsSideForAsFarAsIsSaid) {
   expect_sides_kept("two triangles", bent_sheet(1, [](double u, double v) { return Vec3(0.01 * u, 0.01 * v, 0); }));
   expect_sides_kept("strip", strip);
   expect_sides_kept("cap", cap);
-  expect_sides_kept("cup", turned(cap));
+  expect_sides_kept("cup", test::turned(cap));
   expect_sides_kept("saddle", saddle);
   expect_sides_kept("gutter", gutter);
-  expect_sides_kept("tunnel", turned(gutter));
-  expect_sides_kept("face to face", both(flat, turned(over)));
+  expect_sides_kept("tunnel", test::turned(gutter));
+  expect_sides_kept("face to face", test::joined(flat, test::turned(over)));
 }
 
 /// The side of random points, told by the mesh without what makes it hard.

@@ -9,6 +9,7 @@
 
 #include "genu/surface/analytic.h"
 #include "genu/surface/tessellate.h"
+#include "support/mesh_parts.h"
 
 namespace genu {
 namespace {
@@ -25,23 +26,6 @@ Mesh box(const Vec3& size) {
     mesh.triangles.push_back({s[0], s[1], s[2]});
     mesh.triangles.push_back({s[0], s[2], s[3]});
   }
-  return mesh;
-}
-
-Mesh moved(Mesh mesh, const Pose& X) {
-  for (Vec3& v : mesh.vertices) v = X * v;
-  return mesh;
-}
-
-Mesh both(Mesh a, const Mesh& b) {
-  const int n = static_cast<int>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& t : b.triangles) a.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-  return a;
-}
-
-Mesh turned(Mesh mesh) {
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
@@ -96,7 +80,7 @@ TEST(SolidInertia, OfABoxIsExactAnywhereAndTurned) {
   const Vec3 size(0.06, 0.11, 0.02);
   const Exact exact = exact_box(size);
   for (const Pose& X : kPoses) {
-    const SolidInertia s = solid_inertia(moved(box(size), X));
+    const SolidInertia s = solid_inertia(test::moved(box(size), X));
     // Corners 100 m away are themselves rounded, to 1e-14 m.
     const double tolerance = X.p.norm() > 1 ? 1e-11 : 1e-14;
     EXPECT_NEAR(s.volume, exact.volume, tolerance * exact.volume);
@@ -167,8 +151,8 @@ TEST(SolidInertia, OfRoundSolidsConverges) {
 
 TEST(SolidInertia, AddsUpAndCavitiesCountLess) {
   const Pose X = kPoses[1];
-  const Mesh a = box({0.06, 0.11, 0.02}), b = moved(box({0.03, 0.03, 0.05}), X);
-  const SolidInertia A = solid_inertia(a), B = solid_inertia(b), both_of = solid_inertia(both(a, b));
+  const Mesh a = box({0.06, 0.11, 0.02}), b = test::moved(box({0.03, 0.03, 0.05}), X);
+  const SolidInertia A = solid_inertia(a), B = solid_inertia(b), both_of = solid_inertia(test::joined(a, b));
   EXPECT_NEAR(both_of.volume, A.volume + B.volume, 1e-18);
   const Vec3 c = (A.volume * A.centroid + B.volume * B.centroid) / both_of.volume;
   EXPECT_LT((both_of.centroid - c).norm(), 1e-15);
@@ -178,20 +162,21 @@ TEST(SolidInertia, AddsUpAndCavitiesCountLess) {
     I -= s->volume * d * d;  // Steiner
   }
   EXPECT_LT((both_of.about_centroid - I).norm(), 1e-13 * I.norm());
-  const SolidInertia hollow = solid_inertia(both(box({0.06, 0.11, 0.04}), turned(box({0.03, 0.03, 0.02}))));
+  const SolidInertia hollow =
+      solid_inertia(test::joined(box({0.06, 0.11, 0.04}), test::turned(box({0.03, 0.03, 0.02}))));
   const Exact outer = exact_box({0.06, 0.11, 0.04}), inner = exact_box({0.03, 0.03, 0.02});
   EXPECT_NEAR(hollow.volume, outer.volume - inner.volume, 1e-18);
   EXPECT_LT((hollow.about_centroid - (outer.inertia - inner.inertia)).norm(), 1e-13 * outer.inertia.norm());
 }
 
 TEST(SolidInertia, TurnsPiecesOutwardButForCavities) {
-  const Mesh outer = box({0.06, 0.11, 0.04}), cavity = turned(box({0.03, 0.03, 0.02}));
-  const Mesh beside = turned(moved(box({0.03, 0.03, 0.02}), {Mat3::Identity(), Vec3(0.2, 0, 0)}));
-  Mesh mesh = both(both(outer, cavity), beside);
+  const Mesh outer = box({0.06, 0.11, 0.04}), cavity = test::turned(box({0.03, 0.03, 0.02}));
+  const Mesh beside = test::turned(test::moved(box({0.03, 0.03, 0.02}), {Mat3::Identity(), Vec3(0.2, 0, 0)}));
+  Mesh mesh = test::joined(test::joined(outer, cavity), beside);
   EXPECT_EQ(turn_outward(mesh).turned, 12u);
   EXPECT_NEAR(solid_inertia(mesh).volume, 0.06 * 0.11 * 0.04, 1e-18) << "what is missing here is there";
   EXPECT_EQ(turn_outward(mesh).turned, 0u);
-  Mesh alone = turned(outer);
+  Mesh alone = test::turned(outer);
   EXPECT_EQ(turn_outward(alone).turned, 12u);
 }
 
@@ -200,20 +185,20 @@ TEST(SolidInertia, NestedPiecesTakeTurnsWhateverSideTheyFace) {
   const Mesh shells[] = {box({0.06, 0.11, 0.04}), box({0.03, 0.03, 0.02}), box({0.01, 0.02, 0.01})};
   for (int k = 0; k < 8; ++k) {
     Mesh mesh;
-    for (int i = 0; i < 3; ++i) mesh = both(mesh, (k >> i & 1) != 0 ? turned(shells[i]) : shells[i]);
+    for (int i = 0; i < 3; ++i) mesh = test::joined(mesh, (k >> i & 1) != 0 ? test::turned(shells[i]) : shells[i]);
     const OutwardReport report = turn_outward(mesh);
     EXPECT_EQ(report.cavities, (k & 2) != 0 ? 0u : 1u) << k;
     EXPECT_NEAR(report.cavity_volume, (k & 2) != 0 ? 0 : inner, 1e-18) << k;
     EXPECT_EQ(report.turned, ((k & 1) != 0 ? 12u : 0u) + ((k & 4) != 0 ? 12u : 0u)) << k;
     EXPECT_NEAR(solid_inertia(mesh).volume, outer - inner + core, 1e-18) << k;
   }
-  Mesh crossing = both(shells[0], moved(shells[1], {Mat3::Identity(), Vec3(0.03, 0, 0)}));
+  Mesh crossing = test::joined(shells[0], test::moved(shells[1], {Mat3::Identity(), Vec3(0.03, 0, 0)}));
   EXPECT_EQ(turn_outward(crossing).cavities, 0u);
   EXPECT_NEAR(solid_inertia(crossing).volume, outer + inner, 1e-18);
 }
 
 TEST(SolidInertia, InsideOutIsNegativeAndFlatIsNothing) {
-  const SolidInertia s = solid_inertia(turned(box({0.06, 0.11, 0.02})));
+  const SolidInertia s = solid_inertia(test::turned(box({0.06, 0.11, 0.02})));
   EXPECT_NEAR(s.volume, -exact_box({0.06, 0.11, 0.02}).volume, 1e-18);
   EXPECT_LT(s.centroid.norm(), 1e-16);
   const Mesh flat = box({0.06, 0.11, 0});

@@ -12,6 +12,7 @@
 
 #include "genu/core/pose.h"
 #include "genu/mesh/mesh.h"
+#include "support/mesh_parts.h"
 
 namespace genu::test {
 
@@ -102,18 +103,6 @@ inline Mesh noisy_sphere(double radius, int levels, double noise, unsigned seed 
   std::normal_distribution<double> normal;
   for (Vec3& v : mesh.vertices) v = (radius + noise * normal(random)) * v.normalized();
   return mesh;
-}
-
-inline Mesh moved(Mesh mesh, const Pose& pose) {
-  for (Vec3& v : mesh.vertices) v = pose * v;
-  return mesh;
-}
-
-inline Mesh joined(Mesh a, const Mesh& b) {
-  const int offset = static_cast<int>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& [i, j, k] : b.triangles) a.triangles.push_back({i + offset, j + offset, k + offset});
-  return a;
 }
 
 }  // namespace genu::test
