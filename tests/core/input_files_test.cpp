@@ -50,5 +50,29 @@ TEST(InputFiles, HaveNothingOfWhatIsNoRegularFile) {
   }
 }
 
+TEST(InputFiles, WhatWasSetAsideIsReadAgainUnlessItHasChanged) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("mesh.stl", "solid");
+  InputFiles files;
+  files.set_aside(path);  // nobody has asked for it yet
+  ASSERT_TRUE(files.checksum(path));
+  files.set_aside(path);
+  ASSERT_TRUE(files.bytes(path));
+  EXPECT_EQ(*files.bytes(path), "solid");
+  files.set_aside(path);
+  EXPECT_EQ(files.checksum(path)->xxh128, checksum("solid").xxh128);
+  folder.write("mesh.stl", "other");
+  EXPECT_FALSE(files.bytes(path));
+  EXPECT_FALSE(files.bytes(path));
+  EXPECT_EQ(files.checksum(path)->xxh128, checksum("solid").xxh128);
+  InputFiles given;
+  given.put(path, "in memory");
+  given.set_aside(path);
+  EXPECT_EQ(*given.bytes(path), "in memory");
+  given.release(path);
+  given.set_aside(path);
+  EXPECT_FALSE(given.bytes(path)) << "released for good";
+}
+
 }  // namespace
 }  // namespace genu

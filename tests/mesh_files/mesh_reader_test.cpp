@@ -427,5 +427,26 @@ TEST(MeshReader, AFileThatBreaksItsReaderDownIsRefused) {
             std::string::npos);
 }
 
+TEST(MeshReader, ContentIsToldByTheBytesOfAllFiles) {
+  const test::TemporaryFolder folder;
+  const std::string a = folder.write("a.ply", "one"), b = folder.write("b.ply", "two"),
+                    c = folder.write("c.ply", "one");
+  MeshLibrary meshes;
+  PieceFiles both(a), turned(b);
+  both.paths.push_back(b);
+  turned.paths.push_back(a);
+  EXPECT_NE(meshes.content_of(a), "");
+  EXPECT_EQ(meshes.content_of(a), meshes.content_of(c));
+  EXPECT_NE(meshes.content_of(a), meshes.content_of(b));
+  EXPECT_NE(meshes.content_of(a), meshes.content_of(both));
+  EXPECT_NE(meshes.content_of(turned), meshes.content_of(both));
+  both.paths.push_back(folder / "none.ply");
+  EXPECT_EQ(meshes.content_of(both), "");
+  EXPECT_EQ(meshes.content_of(folder.write("knee.gltf", "{}")), "") << "its buffers are files of their own";
+  EXPECT_EQ(meshes.content_of(folder.write("knee.mkv", "film")), "");
+  meshes.put(a, Mesh{});
+  EXPECT_EQ(meshes.content_of(a), "");
+}
+
 }  // namespace
 }  // namespace genu

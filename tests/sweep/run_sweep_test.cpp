@@ -1,4 +1,5 @@
 #include "genu/sweep/run_sweep.h"
+#include "genu/core/program_hash.h"
 
 #include <atomic>
 #include <filesystem>
@@ -7,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/file_checksum.h"
-#include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
 #include "support/meshed_ball.h"
 #include "support/text.h"

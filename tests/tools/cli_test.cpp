@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/meshed_ball.h"
 #include "support/places.h"
 #include "tools/cli_scenes.h"
 
@@ -45,6 +46,31 @@ TEST(Cli, SolvesChecksAndMeshes) {
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_TRUE(contains(check.out, "no errors"));
   EXPECT_EQ(genu("mesh " + scene + " --edge 4 --out " + (folder / "meshes")).exit_code, 0);
+}
+
+TEST(Cli, SurfacesOfAnEarlierRunGiveTheSameResults) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "cache");
+  const std::string scene = meshed_ball(folder);
+  const auto run = [&](const std::string& more, const std::string& out) {
+    return shell("XDG_CACHE_HOME=" + (folder / "cache ") + program() + " run " + scene + more + " --out " +
+                 (folder / out));
+  };
+  const auto entries = [&] {
+    const auto kept = std::filesystem::recursive_directory_iterator(folder / "cache");
+    return std::count_if(begin(kept), end(kept), [](const auto& entry) { return entry.is_regular_file(); });
+  };
+  const Outcome anew = run(" --no-cache", "anew");
+  EXPECT_EQ(anew.exit_code, 0) << anew.err;
+  EXPECT_EQ(entries(), 0);
+  const Outcome first = run("", "first"), second = run("", "second");
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(entries(), 1);
+  for (const char* file : {"/results.csv", "/events.csv"}) {
+    EXPECT_EQ(read_file(folder / (std::string("first") + file)), read_file(folder / (std::string("anew") + file)));
+    EXPECT_EQ(read_file(folder / (std::string("second") + file)), read_file(folder / (std::string("anew") + file)));
+  }
+  EXPECT_EQ(second.err, anew.err);
 }
 
 TEST(Cli, ResultsHaveAUsualFolder) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/mesh_files/stl_writer.h"
 #include "peers/judge.h"
 #include "peers/programs/solver.h"
 #include "support/places.h"
@@ -95,6 +96,32 @@ TEST(Peers, GenusOwnPosesBalance) {
     EXPECT_FALSE(pose.failed);
     EXPECT_LT(pose.unbalanced, 1e-9);
     EXPECT_EQ(pose.distance, 0);
+  }
+}
+
+TEST(Peers, LayersSummedAsOpenSimJamDoesPressAsGenusDo) {
+  const test::TemporaryFolder folder;
+  for (std::size_t k = 0; k < prepared().surfaces.size(); ++k) {
+    const SurfaceDef& def = prepared().scene.surfaces[k];
+    if (def.shape != SurfaceDef::Shape::torus) continue;
+    const Mesh condyle = prepared().surfaces[k]->triangles(2e-3, Vec3::Zero(), 0.1);
+    ASSERT_EQ(write_stl(condyle, folder / (def.name + ".stl"), 1e-3, "condyle"), "");
+  }
+  constexpr double kSoft = 10e9;  // N/m^3
+  Diagnostics out;
+  const auto ours = prepare_layers(kScene, folder / ".", {kSoft, false}, out),
+             plain = prepare_layers(kScene, folder / ".", {kSoft, true}, out);
+  ASSERT_TRUE(ours && plain) << to_string(out.items().front());
+  const FoundPath by_genu = solve_path(*ours), by_jam = solve_path(*plain);
+  const std::vector<Judged> judged = judge(prepared(), by_genu, rigid());
+  ASSERT_EQ(by_jam.poses.size(), judged.size());
+  for (std::size_t k = 0; k < judged.size(); ++k) {
+    EXPECT_FALSE(judged[k].failed);
+    EXPECT_LT(judged[k].unbalanced, 1e-8);
+    EXPECT_GT(judged[k].distance, 0.3e-3) << "a soft layer gives way";
+    EXPECT_LT(judged[k].distance, 2e-3);
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_NEAR(by_jam.poses[k].coordinates[i], by_genu.poses[k].coordinates[i], 1e-9) << "pose " << k;
   }
 }
 

@@ -19,6 +19,7 @@
 #include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
+#include "genu/core/disk_cache.h"
 #include "genu/scene/words.h"
 #include "print_error.h"
 #include "registry.h"
@@ -141,6 +142,7 @@ int ended(int code) {
 
 int main(int argc, char** argv) {
   open_standard_streams();
+  genu::use_user_cache(true);     // --no-cache turns it off
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, not a reason to die
   try {
     const int code = run_command(argc, argv);

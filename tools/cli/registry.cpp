@@ -1,6 +1,7 @@
 #include "registry.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -8,6 +9,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
+#include "genu/core/disk_cache.h"
 
 namespace genu::cli {
 
@@ -23,6 +25,16 @@ std::string command_list(const std::vector<Command>& commands) {
   return out;
 }
 
+namespace {
+
+/// Whether a command builds no surfaces, or none that would be kept.
+bool builds_nothing(const std::string& command) {
+  const std::set<std::string> names = {"import", "compare", "mesh-check", "segment", "completion", "man"};
+  return names.contains(command);
+}
+
+}  // namespace
+
 void add_commands(CLI::App& app, int& exit_code) {
   using Add = void (*)(CLI::App&, int&);
   constexpr Add kAdd[] = {
@@ -35,6 +47,10 @@ void add_commands(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(commands[i].name, commands[i].purpose);
     command->group("");  // the list of `genu --help` is command_list()
     kAdd[i](*command, exit_code);
+    if (builds_nothing(commands[i].name)) continue;
+    command->add_flag_callback(
+        "--no-cache", [] { use_user_cache(false); },
+        "build all surfaces anew, and keep none for later runs (docs/results.md)");
   }
 }
 

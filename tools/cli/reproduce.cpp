@@ -17,9 +17,9 @@
 #include "advice.h"
 #include "commands.h"
 #include "genu/core/file_text.h"
+#include "genu/core/program_hash.h"
 #include "genu/core/scratch_folder.h"
 #include "genu/path/path.h"
-#include "genu/store/input_hash.h"
 #include "genu/study/failure.h"
 #include "print_error.h"
 

@@ -1,6 +1,7 @@
 // What tools/compare-peers asks of genu:
 //   peers knee SCENE FILE             the knee for the other programs
 //   peers solve SCENE FOLDER|- OUT    genu's own poses, with the meshes in FOLDER or in closed form
+//   peers layers SCENE FOLDER OUT K [plain]  the same with layers of K N/mm3 on the meshes, or those of OpenSim-JAM
 //   peers table SCENE REFERENCE ROWS  the table; a line of ROWS: software, contact, triangles and files of poses, with
 //   tabs
 #include <cstdio>
@@ -51,6 +52,13 @@ int print_table(const Prepared& prepared, const std::string& reference_file, con
   return fail(error);
 }
 
+int solve_layers(const std::string& scene, const std::string& folder, const std::string& out, const Layers& layers) {
+  Diagnostics problems;
+  const auto prepared = prepare_layers(scene, folder, layers, problems);
+  for (const Diagnostic& d : problems.items()) fmt::print(stderr, "{}\n", to_string(d));
+  return prepared ? fail(write_path(solve_path(*prepared), out)) : 2;
+}
+
 int run(const std::string& command, const std::string& scene, const std::string& second, const std::string& third) {
   Diagnostics problems;
   const auto prepared = prepare_knee(scene, command == "solve" && second != "-" ? second : "", problems);
@@ -69,6 +77,13 @@ int main(int argc, char** argv) {
   const std::string command = argc > 1 ? argv[1] : "";
   if ((command == "knee" && argc == 4) || ((command == "solve" || command == "table") && argc == 5))
     return genu::peers::run(command, argv[2], argv[3], argc > 4 ? argv[4] : "");
-  std::fputs("peers knee SCENE FILE | peers solve SCENE FOLDER|- OUT | peers table SCENE REFERENCE ROWS\n", stderr);
+  const double stiffness = command == "layers" && argc > 5 ? 1e9 * std::atof(argv[5]) : 0;
+  const bool plain = argc == 7 && std::string(argv[6]) == "plain";
+  if (stiffness > 0 && (argc == 6 || plain))
+    return genu::peers::solve_layers(argv[2], argv[3], argv[4], {stiffness, plain});
+  std::fputs(
+      "peers knee SCENE FILE | peers solve SCENE FOLDER|- OUT | peers layers SCENE FOLDER OUT K [plain] | peers table "
+      "SCENE REFERENCE ROWS\n",
+      stderr);
   return 2;
 }

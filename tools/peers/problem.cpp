@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/core/units.h"
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
 #include "genu/scene/reader.h"
 #include "genu/study/run_scene.h"
+#include "peers/plain_layer.h"
 
 namespace genu::peers {
 namespace {
@@ -72,10 +75,13 @@ std::optional<Knee> make_knee(const Prepared& prepared, Diagnostics& out) {
   return knee;
 }
 
-std::optional<Prepared> prepare_knee(const std::string& scene, const std::string& folder, Diagnostics& out) {
-  auto closed_forms = prepare(scene, out);
-  if (!closed_forms || folder.empty()) return closed_forms;
-  if (!make_knee(*closed_forms, out)) return std::nullopt;
+namespace {
+
+constexpr double kLayerThickness = 5e-3;  // m: of a linear law without lateral strain the stiffness alone matters
+constexpr double kPlateau = 40e-3;        // m: a layer needs a plane with an end; no contact comes near it
+
+/// The scene with the meshes in `folder` for its condyles.
+std::optional<Scene> meshed_scene(const std::string& scene, const std::string& folder, Diagnostics& out) {
   auto meshed = read_scene(scene, out);
   if (!meshed) return std::nullopt;
   for (const ContactDef& contact : meshed->contacts) {
@@ -85,7 +91,55 @@ std::optional<Prepared> prepare_knee(const std::string& scene, const std::string
     condyle.file_unit = units::kMillimetre;
     condyle.placement = Pose{};
   }
+  return meshed;
+}
+
+/// What the layers of a model do to the femur at a state: force, and moment about the origin of its file.
+Vec6 wrench_of_layers(const JointModel& model, const State& state) {
+  Vec6 wrench = Vec6::Zero();
+  for (const JointModel::Layer& layer : model.layers) {
+    const Pose& X = state.poses[static_cast<std::size_t>(layer.body_a)];
+    ElasticLayer::Memory memory;
+    LayerWrench pressed;
+    layer.layer->evaluate(X, state.poses[static_cast<std::size_t>(layer.body_b)], memory, pressed);
+    wrench += pressed.wrench.head<6>();
+    wrench.tail<3>() -= (X.R * own_origin(model, layer.body_a)).cross(pressed.wrench.head<3>());
+  }
+  return wrench;
+}
+
+}  // namespace
+
+std::optional<Prepared> prepare_knee(const std::string& scene, const std::string& folder, Diagnostics& out) {
+  auto closed_forms = prepare(scene, out);
+  if (!closed_forms || folder.empty()) return closed_forms;
+  if (!make_knee(*closed_forms, out)) return std::nullopt;
+  auto meshed = meshed_scene(scene, folder, out);
+  if (!meshed) return std::nullopt;
   return prepare(std::move(*meshed), std::make_shared<MeshLibrary>(), out);
+}
+
+std::optional<Prepared> prepare_layers(const std::string& scene, const std::string& folder, const Layers& layers,
+                                       Diagnostics& out) {
+  const auto closed_forms = prepare(scene, out);
+  if (!closed_forms || !make_knee(*closed_forms, out)) return std::nullopt;
+  auto meshed = meshed_scene(scene, folder, out);
+  if (!meshed) return std::nullopt;
+  for (const ContactDef& contact : std::exchange(meshed->contacts, {})) {
+    LayerDef layer;
+    layer.pair = contact;
+    layer.modulus = layers.stiffness * kLayerThickness;
+    layer.thickness = layer.search_depth = kLayerThickness;
+    layer.quadrature = LayerDef::Quadrature::triangles;
+    layer.cast_from = contact.surface_a;
+    meshed->layers.push_back(layer);
+    SurfaceDef::Patch& patch = meshed->surfaces[static_cast<std::size_t>(contact.surface_b)].patch.emplace();
+    patch.box[0] = patch.box[1] = std::pair(-kPlateau, kPlateau);
+  }
+  auto prepared = prepare(std::move(*meshed), std::make_shared<MeshLibrary>(), out);
+  const LayerLaw law{LayerLaw::Kind::linear, layers.stiffness * kLayerThickness};
+  if (prepared && layers.plain) make_layers_plain(prepared->model, law, kLayerThickness);
+  return prepared;
 }
 
 FoundPath solve_path(const Prepared& prepared) {
@@ -101,7 +155,7 @@ FoundPath solve_path(const Prepared& prepared) {
     pose.settled = record.point.solved();
     if (!pose.settled) continue;
     pose.coordinates = state.coordinates[0];
-    Vec6 wrench = Vec6::Zero();
+    Vec6 wrench = wrench_of_layers(prepared.model, state);
     for (const ActiveContact& c : state.contacts) {
       const Pose& X = state.poses[static_cast<std::size_t>(joint.child)];
       const Vec3 force = -c.force * (X.R * c.geometry.a.n);

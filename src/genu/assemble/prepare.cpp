@@ -11,85 +11,21 @@
 #include "genu/assemble/changed_scene.h"
 #include "genu/assemble/facing.h"
 #include "genu/assemble/mesh_diagnostics.h"
-#include "genu/assemble/piece_notes.h"
+#include "genu/assemble/mesh_surface.h"
 #include "genu/assemble/read_bones.h"
 #include "genu/assemble/read_solids.h"
 #include "genu/assemble/tolerances.h"
 #include "genu/assemble/unlikely_lengths.h"
-#include "genu/core/length_units.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/mesh/tolerances.h"
-#include "genu/mesh_care/mesh_shape.h"
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/surface/blend_surface.h"
-#include "genu/surface/facet_surface.h"
 
 namespace genu {
 namespace {
-
-std::string describe(const MeshReport& r, const BlendFacts& f) {
-  return fmt::format("{} triangles, edge {:.2f} mm; degree {}, fit radius {:.2f} mm, {} nodes; {}", r.triangles,
-                     to::kMillimetre * r.edge_length[2], f.degree, to::kMillimetre * f.fit_radius, f.node_count, f.why);
-}
-
-/// Carries a mesh into its body's frame, its outward side where the scene wants it.
-void move_to_body(const SurfaceDef& def, Mesh& mesh) {
-  for (Vec3& v : mesh.vertices) v = def.placement * v;
-  if (!def.inside) return;
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-}
-
-/// Takes the flaws out of a mesh, tells of them with the place of each, and remembers where they were.
-std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Diagnostics& out) {
-  constexpr std::size_t kFlawsInMessage = 4;
-  std::vector<DoubtfulPlace> places;
-  std::string told;
-  std::size_t count = 0;
-  for (const Flaw& flaw : cut_out_flaws(mesh)) {
-    const std::string what = describe(flaw, def.file_unit);
-    if (++count <= kFlawsInMessage) told += (told.empty() ? "" : "; ") + what;
-    // What lies inside another piece is out of reach and leaves nothing missing.
-    if (flaw.kind == Flaw::Kind::inner_piece) continue;
-    places.push_back({def.file.text() + " has " + what, flaw.points, 0, flaw.kind != Flaw::Kind::stray_piece});
-  }
-  if (count == 0) return places;
-  if (count > kFlawsInMessage)
-    told += fmt::format("; and {} more (genu mesh-check lists them)", count - kFlawsInMessage);
-  out.warning(Code::mesh_flawed, def.file.text(),
-              "has flaws, left out of its surface; a pose whose contact touches one is refused: " + told);
-  return places;
-}
-
-void warn_steps(const std::optional<StairSteps>& steps, const SurfaceDef& def, Diagnostics& out) {
-  if (!steps) return;
-  out.warning(Code::mesh_coordinates, def.file.text(),
-              fmt::format("is a staircase of {} steps of {:.3g} mm, a segmentation that was not smoothed: it is about "
-                          "{:.2g} mm off the surface it stands for",
-                          steps->levels, to::kMillimetre * steps->height, to::kMillimetre * steps->rms));
-}
-
-void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
-  if (turned == 0) return;
-  out.warning(Code::mesh_repaired, def.file.text(),
-              fmt::format("has {} triangles wound against the rest of it: turned round", turned));
-}
-
-/// A closed mesh tells its outward side by its volume: where that is negative it is turned round. An open sheet is
-/// examined at the start (facing.h). Where the scene says `inside`, it has the last word.
-void turn_inside_out(Mesh& mesh, const MeshReport& report, const SurfaceDef& def, Diagnostics& out) {
-  if (report.boundary_loops > 0 || report.non_manifold_edges > 0 || def.inside) return;
-  double volume = 0;
-  const auto from_corner = [&](int i) -> Vec3 { return mesh.vertices[static_cast<std::size_t>(i)] - report.box.low; };
-  for (const auto& t : mesh.triangles) volume += from_corner(t[0]).dot(from_corner(t[1]).cross(from_corner(t[2]))) / 6;
-  if (!(volume < 0)) return;
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  out.warning(
-      Code::mesh_repaired, def.file.text(),
-      "is inside out: its normals point into the volume it closes; turned round (inside = true keeps a hollow)");
-}
 
 /// m: what lies across a closed form at its thinnest; +infinity where it is a socket, has no back, or is a mesh.
 double thickness_of(const SurfaceDef& def) {
@@ -158,56 +94,17 @@ bool triangles_alone(const PlacedScene& scene, std::size_t surface) {
          std::any_of(scene.layers.begin(), scene.layers.end(), [&](const LayerDef& l) { return uses(l.pair); });
 }
 
-std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace> doubtful, SurfaceNote& note) {
-  note.text += fmt::format("{} triangles, edge {:.2f} mm; used as they are", note.mesh->triangles,
-                           to::kMillimetre * note.mesh->edge_length[2]);
-  auto facets = std::make_shared<FacetSurface>(std::move(mesh));
-  for (DoubtfulPlace& d : doubtful) d.reach = note.mesh->edge_length[2];
-  facets->set_doubtful(std::move(doubtful));
-  return facets;
-}
-
-std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, const SurfaceDef& def, bool facets,
-                                                  MeshLibrary& meshes, SurfaceNote& note, double& read_seconds,
-                                                  Diagnostics& out) {
-  Diagnostics found;
-  std::shared_ptr<BlendSurface> surface;
-  std::optional<Mesh> mesh;
-  std::vector<DoubtfulPlace> doubtful;
-  {
-    const ScopedTimer timing(read_seconds);
-    MeshFileFacts facts;
-    mesh = meshes.read(def.file, def.file_unit, found, &facts);
-    note.space = facts.space;
-    if (mesh) {
-      note.text = pieces_text(def.file, facts.borders);
-      warn_meetings(*mesh, facts.ends, def, found);
-      note.mesh = check_mesh(*mesh);
-      check_scale(*note.mesh, def.file.text(), length_unit_name(def.file_unit), found);
-      make_winding_consistent(*mesh, mesh_edges(*mesh));
-      turn_inside_out(*mesh, *note.mesh, def, found);
-      doubtful = set_flaws_apart(*mesh, def, found);
-      warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
-      move_to_body(def, *mesh);
-      for (DoubtfulPlace& d : doubtful)
-        for (Vec3& p : d.points) p = def.placement * p;
-      note.steps = stair_steps(*mesh);
-      warn_steps(note.steps, def, found);
-    }
-  }
-  if (mesh && !found.has_errors() && facets) {
-    add_at(scene, def, found, out);
-    return as_triangles(std::move(*mesh), std::move(doubtful), note);
-  }
-  if (mesh && !found.has_errors())
-    surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file.text(), found);
-  if (surface) {
-    note.text += describe(*note.mesh, surface->facts());
-    surface->set_doubtful(std::move(doubtful));
-    note.blend = surface;
-  }
-  add_at(scene, def, found, out);
-  return surface;
+std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, std::size_t k, MeshLibrary& meshes,
+                                                  SurfaceNote& note, double& read_seconds, Diagnostics& out) {
+  MeshSurface built = mesh_surface(scene.surfaces[k], triangles_alone(scene, k), meshes, read_seconds);
+  add_at(scene, scene.surfaces[k], built.found, out);
+  note.text = std::move(built.text);
+  note.space = std::move(built.space);
+  note.mesh = built.report;
+  note.steps = built.steps;
+  note.blend = built.blend;
+  if (built.facets) return built.facets;
+  return built.blend;
 }
 
 /// What is left of a surface within its patch has to be something, and what polynomials become there no larger than a
@@ -239,7 +136,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& sc
     const SurfaceDef& def = scene.surfaces[i];
     SurfaceNote note{def.name, "closed form", std::nullopt, nullptr, {}, {}};
     if (def.shape == SurfaceDef::Shape::mesh)
-      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, out));
+      surfaces.push_back(build_mesh_surface(scene, i, meshes, note, read, out));
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
@@ -349,6 +246,7 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   p.bodies = read_solids(p.source, *p.meshes, out);
   p.scene = place(p.source, origins);
   if (out.has_errors()) return std::nullopt;
+  const Timer building;
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
@@ -358,6 +256,7 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   warn_spaces(p, out);
   p.model.meter = std::make_shared<EffectMeter>();
   p.steps = plan_steps(p.scene);
+  p.seconds.emplace_back("building model", building.seconds());
   return p;
 }
 

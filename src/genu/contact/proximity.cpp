@@ -32,6 +32,11 @@ void insert_distinct(std::vector<LocalMinimum>& list, const LocalMinimum& found,
   list.push_back(found);
 }
 
+bool is_sphere(const Surface& surface) {
+  const auto round = surface.round();
+  return round && round->axis.isZero(0);
+}
+
 LocalMinimum oriented(LocalMinimum m, bool samples_b) {
   if (!samples_b) std::swap(m.contact.a, m.contact.b);
   return m;
@@ -280,6 +285,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     return std::pair(gap_[static_cast<std::size_t>(i)], i) < std::pair(gap_[static_cast<std::size_t>(j)], j);
   });
   raw_.clear();
+  const bool spheres = is_sphere(*queried_) && is_sphere(*sampled_);  // whose gap has one minimum
   // Surfaces with more minima than this conform. Minima not examined still count through the gaps of samples.
   for (const int sample : starts_) {
     if (raw_.size() >= kMaxMinima) break;
@@ -299,6 +305,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     if (descent->settled && edge_distance(found.contact) >= 0) {
       raw_.push_back(*descent);
       insert_distinct(out.minima, found, kSamePoint * spacing_);
+      if (spheres) break;
     } else if (gap_[i] < 0) {
       insert_distinct(out.edge, found, kSamePoint * spacing_);
     }

@@ -1,6 +1,7 @@
 #include "genu/contact/rim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -19,16 +20,22 @@ struct BorderEdge {
 
 /// The edges of only one triangle, by their vertices.
 std::vector<BorderEdge> border_of(const Mesh& mesh) {
-  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // number of adjacent triangles, and the opposite vertex
+  std::vector<std::array<int, 3>> sides;  // lower and higher vertex, and the opposite one
+  sides.reserve(3 * mesh.triangles.size());
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      auto& side = sides[std::minmax({t[at(k)], t[at((k + 1) % 3)]})];
-      ++side.first;
-      side.second = t[at((k + 2) % 3)];
+      const auto [low, high] = std::minmax({t[at(k)], t[at((k + 1) % 3)]});
+      sides.push_back({low, high, t[at((k + 2) % 3)]});
     }
+  std::sort(sides.begin(), sides.end());
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return j < sides.size() && sides[i][0] == sides[j][0] && sides[i][1] == sides[j][1];
+  };
   std::vector<BorderEdge> border;
-  for (const auto& [ends, side] : sides)
-    if (side.first == 1) border.push_back({ends.first, ends.second, side.second});
+  for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
+    for (next = i + 1; same(i, next);) ++next;
+    if (next == i + 1) border.push_back({sides[i][0], sides[i][1], sides[i][2]});
+  }
   return border;
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace genu {
 namespace {
@@ -32,7 +33,21 @@ const InputFiles::File& InputFiles::read(const std::string& path) {
 
 std::shared_ptr<const std::string> InputFiles::bytes(const std::string& path) {
   const std::lock_guard lock(mutex_);
-  return read(path).bytes;
+  read(path);
+  File& file = files_[path];
+  if (std::exchange(file.aside, false)) {
+    file.bytes = read_whole(path);
+    if (file.bytes && genu::checksum(*file.bytes).xxh128 != file.checksum->xxh128) file.bytes.reset();
+  }
+  return file.bytes;
+}
+
+void InputFiles::set_aside(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  const auto place = files_.find(path);
+  if (place == files_.end() || !place->second.bytes || place->second.given) return;
+  place->second.bytes.reset();
+  place->second.aside = true;
 }
 
 void InputFiles::put(const std::string& path, std::string bytes) {
@@ -40,6 +55,7 @@ void InputFiles::put(const std::string& path, std::string bytes) {
   File& file = files_[path];
   file.bytes = std::make_shared<const std::string>(std::move(bytes));
   file.checksum = genu::checksum(*file.bytes);
+  file.given = true;
 }
 
 std::optional<FileChecksum> InputFiles::checksum(const std::string& path) {

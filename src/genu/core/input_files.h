@@ -23,6 +23,10 @@ class InputFiles {
   /// Of the bytes that were read; reads the file where nobody has asked for it yet. Empty where that fails.
   std::optional<FileChecksum> checksum(const std::string& path);
 
+  /// Frees the memory of a file whose content may be needed again. bytes() then reads it once more, and is null where
+  /// it has other content by then. Does nothing to bytes that were put().
+  void set_aside(const std::string& path);
+
   /// Frees the memory of a file whose content is no longer needed. Its checksum is kept; bytes() is null from now on.
   void release(const std::string& path);
 
@@ -30,6 +34,7 @@ class InputFiles {
   struct File {
     std::shared_ptr<const std::string> bytes;
     std::optional<FileChecksum> checksum;
+    bool aside = false, given = false;
   };
   const File& read(const std::string& path);
 

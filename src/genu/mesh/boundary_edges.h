@@ -18,13 +18,23 @@ class BoundaryEdges {
   /// inside, negative where p lies past the edge, `cap` where no edge is nearer than that.
   double signed_distance(const Vec3& p, int component) const;
 
+  template <typename Archive>
+  void serialize(Archive& a) {
+    a(cap_, edges_, cells_);
+  }
+
  private:
   struct Edge {
     Vec3 a, b;                  ///< m, the surface on the left
     Vec3 normal;                ///< of the facet
     Vec3 outward;               ///< unit, in the facet's plane, away from the surface
     Vec3 outward_a, outward_b;  ///< at the ends: the mean of the two edges that meet there
-    int component;
+    int component = 0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(a, b, normal, outward, outward_a, outward_b, component);
+    }
   };
 
   double cap_ = 0;

@@ -33,6 +33,11 @@ class CellLists {
 
   int cell_count() const { return static_cast<int>(first_.size()) - 1; }
 
+  template <typename Archive>
+  void serialize(Archive& a) {
+    a(origin_, inverse_cell_, size_, first_, items_);
+  }
+
  private:
   Vec3 origin_ = Vec3::Zero();
   double inverse_cell_ = 0;

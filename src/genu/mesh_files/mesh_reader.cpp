@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -185,8 +186,27 @@ const MeshLibrary::Entry& MeshLibrary::entry(const std::string& path) {
   return e;
 }
 
+std::string MeshLibrary::content_of(const PieceFiles& files) {
+  std::string content;
+  for (const std::string& path : files.paths) {
+    const std::string extension = mesh_extension(path);
+    const bool by_assimp =
+        std::any_of(std::begin(kByAssimp), std::end(kByAssimp), [&](const char* other) { return extension == other; });
+    if (by_assimp || check_mesh_name(path)) return {};
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = entries_.find(path); known != entries_.end() && known->second.in_memory) return {};
+    }
+    const auto sum = files_->checksum(path);
+    if (!sum) return {};
+    content += fmt::format("{} {}\n", sum->xxh128, sum->bytes);
+  }
+  return content;
+}
+
 void MeshLibrary::put(const std::string& name, const Mesh& mesh) {
   Entry e;
+  e.in_memory = true;
   e.mesh = mesh;
   e.fault = check_coordinates(e.mesh, false);
   if (!e.fault) e.fault = clean(e.mesh, e.facts, [&] { return mesh; });

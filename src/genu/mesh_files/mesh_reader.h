@@ -54,6 +54,10 @@ class MeshLibrary {
   [[nodiscard]] std::optional<Mesh> read_of_some_unit(const PieceFiles& files, double& metres_per_unit,
                                                       Diagnostics& out, MeshFileFacts* facts = nullptr);
 
+  /// What tells the bytes of these files from any others; empty where one is a mesh in memory, cannot be read, or may
+  /// name further files (those that assimp reads).
+  std::string content_of(const PieceFiles& files);
+
   /// From now on read(name) gives this mesh (its coordinates in units of that call), cleaned as a file's would be.
   void put(const std::string& name, const Mesh& mesh);
 
@@ -67,6 +71,7 @@ class MeshLibrary {
     Mesh mesh;  ///< in the file's unit
     MeshFileFacts facts;
     std::optional<Fault> fault;  ///< why there is no mesh
+    bool in_memory = false;      ///< put(), not a file
   };
   const Entry& entry(const std::string& path);
   std::optional<Mesh> join(const PieceFiles& files, double metres_per_unit, Diagnostics& out, MeshFileFacts* facts);

@@ -20,8 +20,8 @@
 #include <cereal/types/vector.hpp>
 
 #include "genu/core/file_checksum.h"
+#include "genu/core/program_hash.h"
 #include "genu/path/fields.h"
-#include "genu/store/input_hash.h"
 #include "genu/store/tolerances.h"
 
 namespace genu {

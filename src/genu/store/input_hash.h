@@ -1,4 +1,4 @@
-// What a piece of work is bound to: the content of its scene and meshes, and the program that does it.
+// What a piece of work is bound to: the content of its scene and meshes (and the program: core/program_hash.h).
 #pragma once
 
 #include <string>
@@ -16,9 +16,5 @@ std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables&
 
 /// Of what --without and --set change in the scene.
 std::string change_hash(const SceneTables& scene);
-
-/// Of this program, of the libraries that it is linked with, and of the instructions that they choose from the
-/// processor: where all are the same, the same input gives the same bytes.
-std::string program_hash();
 
 }  // namespace genu

@@ -16,10 +16,10 @@
 #include "genu/assemble/changed_scene.h"
 #include "genu/assemble/scene_values.h"
 #include "genu/core/atomic_output.h"
+#include "genu/core/program_hash.h"
 #include "genu/core/scratch_folder.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/mesh_files/mesh_writer.h"
-#include "genu/store/input_hash.h"
 #include "genu/store/stop_of.h"
 #include "genu/study/run_scene.h"
 

@@ -42,6 +42,11 @@ class BlendField {
 
   double blend_radius() const { return blend_radius_; }
 
+  template <typename Archive>
+  void serialize(Archive& a) {
+    a(degree_, blend_radius_, stride_, records_, sheet_, cells_, mixed_, across_);
+  }
+
  private:
   template <int Order>
   bool dispatch(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const;

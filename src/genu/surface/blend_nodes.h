@@ -30,6 +30,11 @@ struct NodeLinks {
   std::vector<int> first = {0};
   std::vector<int> adjacent;
 
+  template <typename Archive>
+  void serialize(Archive& a) {
+    a(first, adjacent);
+  }
+
   std::span<const int> of(int i) const {
     return {adjacent.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
   }

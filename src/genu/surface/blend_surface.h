@@ -83,7 +83,21 @@ class BlendSurface final : public Surface {
   /// Nodes of the same sheet within twice the spacing: a node lower than all of them is a local minimum of a gap.
   std::span<const int> node_neighbours(int node) const { return node_links_.of(node); }
 
+  /// What another run saved by serialize().
+  template <typename Archive>
+  [[nodiscard]] static std::unique_ptr<BlendSurface> restored(Archive& from) {
+    std::unique_ptr<BlendSurface> surface(new BlendSurface);
+    surface->serialize(from);
+    return surface;
+  }
+  template <typename Archive>
+  void serialize(Archive& a) {
+    a(mesh_, facts_, field_, boundary_, node_component_, node_positions_, node_normals_, node_areas_, node_links_,
+      doubtful_);
+  }
+
  private:
+  BlendSurface() = default;
   BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, const std::vector<NodeSeed>& seeds,
                const std::vector<HeightFit>& fits);
   void place_nodes(const std::vector<HeightFit>& fits, const VertexGraph& graph);

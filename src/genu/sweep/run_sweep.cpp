@@ -12,8 +12,8 @@
 #include <tbb/task_arena.h>
 
 #include "genu/assemble/solution.h"
+#include "genu/core/program_hash.h"
 #include "genu/core/timer.h"
-#include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
 #include "genu/sweep/missing_shards.h"
 #include "genu/sweep/sweep_record.h"

@@ -9,7 +9,7 @@
 
 #include "genu/assemble/table_text.h"
 #include "genu/core/file_text.h"
-#include "genu/store/input_hash.h"
+#include "genu/core/program_hash.h"
 #include "genu/sweep/whole_file.h"
 
 namespace genu {

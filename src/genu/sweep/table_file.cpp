@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/file_text.h"
-#include "genu/store/input_hash.h"
+#include "genu/core/program_hash.h"
 #include "genu/sweep/whole_file.h"
 
 namespace genu {

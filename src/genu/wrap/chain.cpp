@@ -42,7 +42,9 @@ Vec3 middle_of(const Obstacle& o, const Vec3& from, const Vec3& to) {
     return centre + axis.dot(half - centre) * axis;
   }
   const double reach = (to - from).norm();
-  const Mesh mesh = o.surface->triangles(reach / 8, in_body(o, half), reach);
+  // Of a closed form the box alone is needed, and a few triangles show it.
+  const double edge = o.surface->is_global() ? reach / 2 : reach / 8;
+  const Mesh mesh = o.surface->triangles(edge, in_body(o, half), reach);
   if (mesh.vertices.empty()) return half;
   Vec3 low = mesh.vertices.front(), high = low;
   for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
