@@ -34,6 +34,23 @@ double clearance(const Obstacle& o, const Vec3& from, const Vec3& to) {
   return line_clearance(*o.surface, in_body(o, from), in_body(o, to), along);
 }
 
+/// Of a whole closed form of some extent: the middle between the feet of points far along its body's axes. Triangles
+/// would show the same in a thousand times the time. `reach`: m, its size at most, roughly.
+std::optional<Vec3> middle_of_feet(const Surface& surface, const Vec3& near, double reach) {
+  if (!surface.is_global() || surface.is_unbounded() || std::isfinite(surface.edge_distance(near))) return std::nullopt;
+  constexpr double kFar = 1e6;
+  Vec3 low, high;
+  for (int k = 0; k < 3; ++k) {
+    SurfacePoint foot;
+    const Vec3 away = kFar * reach * Vec3::Unit(k);
+    if (!surface.project(near + away, foot)) return std::nullopt;
+    high[k] = foot.p[k];
+    if (!surface.project(near - away, foot)) return std::nullopt;
+    low[k] = foot.p[k];
+  }
+  return Vec3(0.5 * (low + high));
+}
+
 /// The middle of an obstacle (in the world) near a line.
 Vec3 middle_of(const Obstacle& o, const Vec3& from, const Vec3& to) {
   Vec3 half = 0.5 * (from + to);
@@ -42,9 +59,8 @@ Vec3 middle_of(const Obstacle& o, const Vec3& from, const Vec3& to) {
     return centre + axis.dot(half - centre) * axis;
   }
   const double reach = (to - from).norm();
-  // Of a closed form the box alone is needed, and a few triangles show it.
-  const double edge = o.surface->is_global() ? reach / 2 : reach / 8;
-  const Mesh mesh = o.surface->triangles(edge, in_body(o, half), reach);
+  if (const auto middle = middle_of_feet(*o.surface, in_body(o, half), reach)) return o.X_W * *middle;
+  const Mesh mesh = o.surface->triangles(reach / 8, in_body(o, half), reach);
   if (mesh.vertices.empty()) return half;
   Vec3 low = mesh.vertices.front(), high = low;
   for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
@@ -67,6 +83,7 @@ class Chain {
       nodes_.push_back(corners[k - 1] + std::min(u, 1.0) * (corners[k] - corners[k - 1]));
     }
     on_.assign(nodes_.size(), -1);
+    clear_.resize(nodes_.size() * obstacles_.size());
   }
 
   void shorten() {
@@ -126,9 +143,12 @@ class Chain {
       const Obstacle& obstacle = obstacles_[o];
       const double most = kChainMove * obstacle.surface->smooth_length();
       if (const double moved = (x - old).norm(); moved > most) x = old + most / moved * (x - old);
-      SurfacePoint foot;
+      Clear& clear = clear_[i * obstacles_.size() + o];
+      if ((x - clear.at).norm() < clear.by) continue;
       const Vec3 local = in_body(obstacle, x);
       const auto gap = obstacle.surface->gap(local);
+      clear = {x, gap && obstacle.surface->knows_distance() ? *gap : 0};
+      SurfacePoint foot;
       if (!gap || *gap > 0 || !obstacle.surface->project(local, foot)) continue;
       x = obstacle.X_W * foot.p;
       on_[i] = static_cast<int>(o);
@@ -136,9 +156,16 @@ class Chain {
     nodes_[i] = x;
   }
 
+  /// A ball (m, in the world) that is clear of an obstacle.
+  struct Clear {
+    Vec3 at = Vec3::Zero();
+    double by = 0;
+  };
+
   std::span<const Obstacle> obstacles_;
   std::vector<Vec3> nodes_;
-  std::vector<int> on_;  ///< the obstacle that a node lies on, -1: none
+  std::vector<int> on_;       ///< the obstacle that a node lies on, -1: none
+  std::vector<Clear> clear_;  ///< of each node and obstacle
 };
 
 /// The corners of a chain that passes every obstacle on its side: as far out as it must be to be clear.
