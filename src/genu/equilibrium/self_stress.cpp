@@ -113,6 +113,7 @@ void find_self_stress(ActiveSetSolver& solver, const Target& target, const Certi
       !may_jump(model, pose.state, target, certificate.residual))
     return;
   Linearization at;
+  at.layers = solver.newton().linearization().layers;  // they know this pose
   linearize(model, pose.state, target, at);
   const PoseAccuracy accuracy(model, target, at);
   Balanced closed = pose;

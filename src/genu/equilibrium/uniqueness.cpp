@@ -1,6 +1,8 @@
 #include "genu/equilibrium/uniqueness.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "genu/contact/elastic_layer.h"
 #include "genu/equilibrium/self_stress.h"
@@ -14,8 +16,10 @@ namespace {
 /// has no cost, forces out of balance add a stiffness of their own size. Where the cost is x^p with p > 1, the Jacobian
 /// x^(p - 1) is far larger than the residual. The Jacobian is factored here because Newton's last one may be that of
 /// the step before.
-bool singular_at(const JointModel& model, const State& state, const Target& target) {
+bool singular_at(const JointModel& model, const State& state, const Target& target,
+                 std::shared_ptr<LayerMemories> layers) {
   Linearization at;
+  at.layers = std::move(layers);  // they know this pose
   linearize(model, state, target, at);
   NewtonStep step(model);
   if (!step.factor(at, target) || !step.linear().full_rank()) return true;
@@ -40,6 +44,7 @@ void look_at_what_touches(ActiveSetSolver& solver, const Balanced& pose, const P
 Stability stability_of(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target) {
   const JointModel& model = solver.model();
   Linearization at;
+  at.layers = solver.newton().linearization().layers;  // they know this pose
   linearize(model, pose.state, target, at);
   Stability out = assess_stability(at, model.scales.length);
   look_at_what_touches(solver, pose, report, target, at.layer_loads, out);
@@ -54,7 +59,8 @@ bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point) {
   const bool free = point.stability.neutral.cols() > 0;
   const bool unilateral =
       point.stability.unilateral && (free || point.stability.verdict == Stability::Verdict::neutral);
-  const bool motion = unilateral || (free && singular_at(model, point.pose.state, point.target));
+  const bool motion = unilateral || (free && singular_at(model, point.pose.state, point.target,
+                                                         solver.newton().linearization().layers));
   if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
