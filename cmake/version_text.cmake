@@ -19,7 +19,7 @@ function(genu_version_text target)
   set(libraries "Eigen ${Eigen3_VERSION} (MPL-2.0)" "FCL ${FCL_VERSION} (BSD-3-Clause)" "libccd (BSD-3-Clause)"
       "assimp ${assimp_VERSION} (BSD-3-Clause)" "SUNDIALS ${SUNDIALS_VERSION} (BSD-3-Clause)"
       "oneTBB ${TBB_VERSION} (Apache-2.0)" "toml++ ${tomlplusplus_VERSION} (MIT)" "CLI11 ${CLI11_VERSION} (BSD-3-Clause)"
-      "fmt ${fmt_VERSION} (MIT)" "zlib ${ZLIB_VERSION_STRING} (Zlib)" "cereal ${cereal_VERSION} (BSD-3-Clause)"
+      "fmt ${fmt_VERSION} (MIT)" "zlib ${ZLIB_VERSION_STRING} (Zlib)"
       "xxHash ${XXHASH_VERSION} (BSD-2-Clause)" "pugixml ${pugixml_VERSION} (MIT)")
   if(GENU_WITH_CGAL)
     list(APPEND libraries "CGAL ${CGAL_VERSION} (GPL-3.0-or-later)")

@@ -29,7 +29,6 @@ const std::map<std::string, std::vector<std::string>>& guarded_libraries() {
       {"FCL", {"fcl/", "ccd/"}},
       {"assimp", {"assimp/"}},
       {"CGAL", {"CGAL/"}},
-      {"cereal", {"cereal/"}},
       {"pugixml", {"pugixml"}},
       {"xxHash", {"xxhash"}},
       {"toml++", {"toml++/", "toml.hpp", "toml.h"}},

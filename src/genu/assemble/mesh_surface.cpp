@@ -1,19 +1,13 @@
 #include "genu/assemble/mesh_surface.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/array.hpp>
-#include <cereal/types/optional.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/utility.hpp>
-#include <cereal/types/vector.hpp>
 
 #include "genu/assemble/piece_notes.h"
+#include "genu/core/binary_archive.h"
 #include "genu/core/length_units.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
@@ -162,11 +156,10 @@ MeshSurface built(const SurfaceDef& def, bool facets, MeshLibrary& meshes, doubl
 std::string key_of(const SurfaceDef& def, bool facets, MeshLibrary& meshes) {
   const std::string content = meshes.content_of(def.file);
   if (content.empty()) return {};
-  std::ostringstream key;
-  cereal::BinaryOutputArchive archive(key);
+  BinaryWriter archive;
   archive(std::string("surface of a mesh"), content, def.file.text(), def.file_unit, def.placement.R, def.placement.p,
           def.inside, def.fit_radius, def.degree, facets);
-  return std::move(key).str();
+  return archive.take();
 }
 
 /// A warning, as it is kept.
@@ -185,23 +178,21 @@ std::string kept(const MeshSurface& surface) {
   for (const Diagnostic& d : surface.found.items())
     said.push_back(
         {static_cast<int>(d.severity), static_cast<int>(d.code), d.line, d.column, d.file, d.key, d.found, d.rule});
-  std::ostringstream out;
-  cereal::BinaryOutputArchive archive(out);
+  BinaryWriter archive;
   archive(surface.text, surface.space, surface.report, surface.steps, said, surface.blend != nullptr);
   if (surface.blend)
     archive(*surface.blend);
   else
     archive(surface.facets->triangles(0, Vec3::Zero(), 0),
             std::vector<DoubtfulPlace>(surface.facets->doubtful().begin(), surface.facets->doubtful().end()));
-  return std::move(out).str();
+  return archive.take();
 }
 
 /// Empty where the bytes are no surface.
-std::optional<MeshSurface> restored(std::string bytes) {
-  std::istringstream in(std::move(bytes));
+std::optional<MeshSurface> restored(const std::string& bytes) {
   MeshSurface out;
   try {
-    cereal::BinaryInputArchive archive(in);
+    BinaryReader archive(bytes);
     std::vector<Said> said;
     bool smooth = false;
     archive(out.text, out.space, out.report, out.steps, said, smooth);
@@ -221,7 +212,7 @@ std::optional<MeshSurface> restored(std::string bytes) {
     archive(mesh, doubtful);
     out.facets = std::make_shared<FacetSurface>(std::move(mesh));
     out.facets->set_doubtful(std::move(doubtful));
-  } catch (const cereal::Exception&) {
+  } catch (const BrokenArchive&) {
     return std::nullopt;
   }
   return out;
@@ -236,7 +227,7 @@ MeshSurface mesh_surface(const SurfaceDef& def, bool facets, MeshLibrary& meshes
     const ScopedTimer timing(read_seconds);
     key = key_of(def, facets, meshes);
     auto bytes = key.empty() ? std::nullopt : cache->find(key);
-    if (auto known = bytes ? restored(std::move(*bytes)) : std::nullopt) {
+    if (auto known = bytes ? restored(*bytes) : std::nullopt) {
       for (const std::string& path : def.file.paths) meshes.files().set_aside(path);
       return std::move(*known);
     }

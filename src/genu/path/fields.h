@@ -1,12 +1,15 @@
 // The fields of poses and paths, for an archive that saves and restores them to the last bit on the same machine. The
-// archive is any object with operator()(fields ...), such as cereal's binary archives.
+// archive is one of core/binary_archive.h.
 #pragma once
 
-#include "genu/core/archive_fields.h"
 #include "genu/path/path_options.h"
 
 namespace genu {
 
+template <typename Archive>
+void serialize(Archive& a, Pose& x) {
+  a(x.R, x.p);
+}
 template <typename Archive>
 void serialize(Archive& a, SurfacePoint& x) {
   a(x.p, x.n, x.T, x.S);

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/array.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/vector.hpp>
 
 #include "genu/contact/elastic_layer.h"
+#include "genu/core/binary_archive.h"
 #include "genu/equilibrium/settle_freed.h"
 #include "genu/equilibrium/uniqueness.h"
 #include "genu/model/ligament_pieces.h"
@@ -50,9 +46,12 @@ class PathRun {
   /// Continues from where save() was called, in another run of the same program on the same input. Throws
   /// SavedElsewhere for another input.
   void restore(const std::string& saved) {
-    std::istringstream in(saved);
-    cereal::BinaryInputArchive archive(in);
-    remember(archive);
+    try {
+      BinaryReader archive(saved);
+      remember(archive);
+    } catch (const BrokenArchive&) {
+      throw SavedElsewhere("the saved data are no state of a path");
+    }
     const bool in_plan = step_ >= 0 && at(step_) <= steps_.size() && row_ >= 0 && rows_ >= 0;
     if (!in_plan || !fits(pose_)) throw SavedElsewhere("the saved data belong to another scene");
     forget();
@@ -332,10 +331,9 @@ class PathRun {
     forget();
     if (!observer_.rest || asked_to_stop(observer_.cancelled)) return;
     observer_.rest([this] {
-      std::ostringstream out;
-      cereal::BinaryOutputArchive archive(out);
+      BinaryWriter archive;
       remember(archive);
-      return std::move(out).str();
+      return archive.take();
     });
   }
 

@@ -13,12 +13,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/array.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/utility.hpp>
-#include <cereal/types/vector.hpp>
 
+#include "genu/core/binary_archive.h"
 #include "genu/core/file_checksum.h"
 #include "genu/core/program_hash.h"
 #include "genu/path/fields.h"
@@ -48,21 +44,19 @@ constexpr std::size_t kHash = 32, kHead = sizeof(std::uint64_t) + kHash;
 
 template <typename... Fields>
 std::string packed(const Fields&... fields) {
-  std::ostringstream out;
-  cereal::BinaryOutputArchive archive(out);
+  BinaryWriter archive;
   archive(fields...);
-  return std::move(out).str();
+  return archive.take();
 }
 
 /// False where the bytes hold something else.
 template <typename... Fields>
 bool unpack(const std::string& bytes, Fields&... fields) {
   try {
-    std::istringstream in(bytes);
-    cereal::BinaryInputArchive archive(in);
+    BinaryReader archive(bytes);
     archive(fields...);
     return true;
-  } catch (const cereal::Exception&) {
+  } catch (const BrokenArchive&) {
     return false;
   }
 }

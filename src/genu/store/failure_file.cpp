@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFailureFormat = 1;  // of the whole, and of what Failure::rest holds (path/fields.h)
+constexpr int kFailureFormat = 2;  // of the whole, and of what Failure::rest holds (path/fields.h)
 
 std::string to_hex(const std::string& bytes) {
   constexpr const char* kDigits = "0123456789abcdef";

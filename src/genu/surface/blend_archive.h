@@ -1,7 +1,6 @@
-// The parts of a surface made of a mesh, for an archive (archive_fields.h).
+// The parts of a surface made of a mesh, for an archive (core/binary_archive.h).
 #pragma once
 
-#include "genu/core/archive_fields.h"
 #include "genu/surface/blend_surface.h"
 
 namespace genu {

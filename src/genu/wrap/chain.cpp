@@ -38,11 +38,11 @@ double clearance(const Obstacle& o, const Vec3& from, const Vec3& to) {
 /// would show the same in a thousand times the time. `reach`: m, its size at most, roughly.
 std::optional<Vec3> middle_of_feet(const Surface& surface, const Vec3& near, double reach) {
   if (!surface.is_global() || surface.is_unbounded() || std::isfinite(surface.edge_distance(near))) return std::nullopt;
-  constexpr double kFar = 1e6;
+  constexpr double kFeetFrom = 1e6;
   Vec3 low, high;
   for (int k = 0; k < 3; ++k) {
     SurfacePoint foot;
-    const Vec3 away = kFar * reach * Vec3::Unit(k);
+    const Vec3 away = kFeetFrom * reach * Vec3::Unit(k);
     if (!surface.project(near + away, foot)) return std::nullopt;
     high[k] = foot.p[k];
     if (!surface.project(near - away, foot)) return std::nullopt;
