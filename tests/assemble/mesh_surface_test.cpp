@@ -153,6 +153,21 @@ TEST_F(CachedSurface, TrianglesAsTheyAre) {
   expect_same(true);
 }
 
+TEST_F(CachedSurface, PiecesInSeveralFiles) {
+  for (const bool left : {true, false}) {
+    Mesh half = cap();
+    std::erase_if(half.triangles, [&](const auto& t) {
+      const double middle = half.vertices[at(t[0])].x() + half.vertices[at(t[1])].x() + half.vertices[at(t[2])].x();
+      return (middle < 0) != left;
+    });
+    const std::string file = folder_ / (left ? "left.ply" : "right.ply");
+    ASSERT_EQ(write_ply(half, file, 1, ""), "");
+    def_.file.paths.push_back(file);
+  }
+  ASSERT_NE(build_anew().text.find("left.ply"), std::string::npos) << build_anew().text;
+  expect_same();
+}
+
 TEST_F(CachedSurface, WhateverItDependsOnMakesItAnother) {
   write(cap());
   std::size_t count = 0;

@@ -214,6 +214,20 @@ TEST(Proximity, NoPointsOfNoisyMeshesAreNearerByBruteForce) {
   }
 }
 
+TEST(Proximity, TwoSpheresHaveOneMinimumAndItIsFoundInASocketToo) {
+  const auto ball = make_sphere({}, 0.024, false), socket = make_sphere({}, 0.0241, true);
+  Proximity fitting(*socket, *ball, kOptions);
+  ProximityScan scan;
+  std::mt19937 random(5);
+  for (int k = 0; k < 20; ++k) {
+    const Vec3 off = test::random_vector(random, 2e-4);
+    fitting.scan({exp_rotation(test::random_vector(random, 1)), off}, 5e-4, scan);
+    ASSERT_EQ(scan.minima.size(), 1u);
+    EXPECT_NEAR(scan.minima[0].gap, 1e-4 - off.norm(), 1e-12);
+    EXPECT_NEAR(scan.minima[0].contact.a.p.normalized().dot(off.normalized()), 1, 1e-9);
+  }
+}
+
 TEST(Proximity, SeesOverlapFarBeyondTheBand) {
   const auto small = meshed(*make_sphere({}, 0.015, false), 1.8e-3),
              large = meshed(*make_sphere({}, 0.045, false), 4e-3);
