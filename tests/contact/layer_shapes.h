@@ -108,8 +108,10 @@ inline Pressed smooth(const std::shared_ptr<const Surface>& b, double edge, doub
   const auto tree_a = std::make_shared<const TriangleTree>(mesh_a),
              tree_b = std::make_shared<const TriangleTree>(mesh_b);
   const LayerThickness both{thickness, nullptr, nullptr};
-  const auto from_a = std::make_shared<SmoothLayer>(cells_a, b, tree_b, search_depth, law, both);
-  const auto from_b = std::make_shared<SmoothLayer>(cells_b, a, tree_a, search_depth, law, both);
+  const auto from_a =
+      std::make_shared<const SmoothLayer>(SmoothDepths(cells_a, cells_b, tree_b, search_depth, law, both));
+  const auto from_b =
+      std::make_shared<const SmoothLayer>(SmoothDepths(cells_b, cells_a, tree_a, search_depth, law, both));
   return {
       std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{{!swap, 0.5, from_a}, {swap, 0.5, from_b}}),
       static_cast<int>(mesh_b.triangles.size())};

@@ -113,9 +113,9 @@ SmoothPair smooth_pair(const Bowl& bowl, double edge, LayerLaw::Kind kind, Thick
   const auto on_a = thickness(out.a), on_b = thickness(out.b);
   const auto side = [&](const auto& own, const auto& other, const Mesh& mine, const Mesh& theirs, const auto& h,
                         const auto& k) {
-    return std::make_shared<SmoothLayer>(std::make_shared<const SmoothCells>(mine, own), other,
-                                         std::make_shared<const TriangleTree>(theirs), 6e-3, LayerLaw{kind, 1e7},
-                                         LayerThickness{1e-3, h, k});
+    return std::make_shared<const SmoothLayer>(SmoothDepths(
+        std::make_shared<const SmoothCells>(mine, own), std::make_shared<const SmoothCells>(theirs, other),
+        std::make_shared<const TriangleTree>(theirs), 6e-3, LayerLaw{kind, 1e7}, LayerThickness{1e-3, h, k}));
   };
   out.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
       {true, 0.5, side(a, b, out.a, out.b, on_a, on_b)}, {false, 0.5, side(b, a, out.b, out.a, on_b, on_a)}});

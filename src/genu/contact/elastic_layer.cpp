@@ -1,9 +1,14 @@
 #include "genu/contact/elastic_layer.h"
 
+#include <array>
 #include <limits>
+
+#include <tbb/parallel_for.h>
 
 namespace genu {
 namespace {
+
+constexpr std::size_t kMostSides = 2;
 
 using Mat6x12 = Eigen::Matrix<double, 6, 12>;
 
@@ -66,20 +71,22 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
     return;
   }
   memory.sides.resize(sides_.size());
+  std::array<LayerSum, kMostSides> sums;
+  tbb::parallel_for(std::size_t{0}, sides_.size(), [&](std::size_t i) {
+    const Side& side = sides_[i];
+    const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
+    memory.sides[i].cancelled = memory.cancelled;
+    side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sums[i], level, motion(side, X_Wa, X_Wb, twists));
+  });
   out = LayerWrench();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Side& side = sides_[i];
-    const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
-    LayerSum sum;
-    memory.sides[i].cancelled = memory.cancelled;
-    side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sum, level, motion(side, X_Wa, X_Wb, twists));
-    LayerWrench part = in_world(X_Wc, X_Wt, sum);
-    if (!side.a) part = swapped(part);
+    LayerWrench part = side.a ? in_world(X_Wa, X_Wb, sums[i]) : swapped(in_world(X_Wb, X_Wa, sums[i]));
     out.wrench += side.share * part.wrench;
     out.stiffness += side.share * part.stiffness;
-    out.load += side.share * sum.load;
-    out.damped += side.share * sum.damped;
-    out.error += side.share * sum.error;
+    out.load += side.share * sums[i].load;
+    out.damped += side.share * sums[i].damped;
+    out.error += side.share * sums[i].error;
   }
   memory.known = false;
   if (asked_to_stop(memory.cancelled)) {

@@ -6,10 +6,6 @@
 //     layers logarithmic   p = -M ln(1 - d / h)           true strain: stiffens as the layer is used up
 #pragma once
 
-#include <cmath>
-
-#include "genu/contact/tolerances.h"
-
 namespace genu {
 
 struct LayerLaw {
@@ -23,15 +19,7 @@ struct LayerLaw {
   };
 
   /// At the depth d (m) of layers h (m) thick, negative depths included: the odd continuation, whose sign tells.
-  Pressure at(double d, double h) const {
-    if (kind == Kind::linear) return {confined_modulus * d / h, confined_modulus / h};
-    const double e = d / h;
-    const double sign = e < 0 ? -1.0 : 1.0, size = std::abs(e);
-    if (size <= kMaxCompression)
-      return {-sign * confined_modulus * std::log1p(-size), confined_modulus / h / (1 - size)};
-    const double slope = confined_modulus / (1 - kMaxCompression);
-    return {sign * (slope * (size - kMaxCompression) - confined_modulus * std::log1p(-kMaxCompression)), slope / h};
-  }
+  Pressure at(double d, double h) const;
 };
 
 /// M (Pa) from Young's modulus (Pa) and Poisson's ratio in [0, 0.5).

@@ -16,11 +16,12 @@ constexpr std::size_t kCoarseClearances = 3;  // of them, for rays together
 }  // namespace
 
 LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length,
-                     Grouping grouping, std::vector<double> radii)
+                     Grouping grouping, std::vector<double> radii, double lead)
     : rays_(std::move(rays)),
       radii_(std::move(radii)),
       target_(std::move(target)),
       length_(length),
+      lead_(lead),
       levels_(grouping == Grouping::single ? kClearances.size() : kCoarseClearances),
       leaf_(grouping == Grouping::single ? 1 : kTogether),
       order_(rays_.size()) {
@@ -205,14 +206,15 @@ TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Bl
 /// Whether the ray starts outside the target and passes through it: what it measures is no overlap.
 bool LayerRays::enters_before(const Ray& ray, const TriangleTree::Hit& hit, const Memory::Block& block,
                               Memory::AtRay& known) const {
-  if (block.path < known.unentered_until && hit.distance <= known.unentered) return false;
+  const double distance = hit.distance - lead_;
+  if (!(distance > 0) || (block.path < known.unentered_until && distance <= known.unentered)) return false;
+  const Vec3 start = ray.origin + lead_ * ray.direction;
   if (!(block.path < known.unentered_next_time)) {
-    const double length = std::min(length_, hit.distance + kUnenteredLength * step_);
+    const double length = std::min(length_ - lead_, distance + kUnenteredLength * step_);
     std::array<double, kCoarseClearances> margins;
     for (std::size_t i = 0; i < margins.size(); ++i) margins[i] = kClearances[i] * step_;
     int near = -1;
-    const std::size_t level =
-        target_->clear_by(ray.origin, ray.direction, length, margins, TriangleTree::Way::in, near);
+    const std::size_t level = target_->clear_by(start, ray.direction, length, margins, TriangleTree::Way::in, near);
     if (level < margins.size()) {
       known.unentered = length;
       known.unentered_until = block.path + margins[level] / (1 + kMarginRounding);
@@ -220,7 +222,7 @@ bool LayerRays::enters_before(const Ray& ray, const TriangleTree::Hit& hit, cons
     }
     known.unentered_next_time = block.path + kRetryUnentered * step_;
   }
-  return static_cast<bool>(target_->entering(ray.origin, ray.direction, hit.distance));
+  return static_cast<bool>(target_->entering(start, ray.direction, distance));
 }
 
 /// The hit of a ray, if the sheet that it crossed last gives it.

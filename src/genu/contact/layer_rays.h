@@ -25,9 +25,9 @@ class LayerRays {
   enum class Grouping { single, together };
 
   /// Rays of `length` (m) into the triangles of `target`. `radii` (m): each ray represents everything within its
-  /// radius.
+  /// radius. `lead` (m): the first part of each ray, where it may enter the target.
   LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length, Grouping grouping,
-            std::vector<double> radii = {});
+            std::vector<double> radii = {}, double lead = 0);
 
   /// Results of earlier poses: they make the next cast faster and never change it. One for each thread.
   struct Memory {
@@ -89,8 +89,8 @@ class LayerRays {
   void begin(const Pose& X_TC, Memory& memory) const;
 
   /// Calls visit(ray, hit, origin, direction), the ray in the target's frame, for every ray of a part that leaves the
-  /// target through a triangle (TriangleTree::leaving) without having entered it before, in an order that depends on
-  /// the rays only. Call begin() with the same pose first.
+  /// target through a triangle (TriangleTree::leaving) without having entered it before (after its lead), in an order
+  /// that depends on the rays only. Call begin() with the same pose first.
   template <typename Visit>
   void cast_part(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
     Memory::Cast& cast = memory.casts[memory.cast];
@@ -202,7 +202,7 @@ class LayerRays {
   std::vector<Ray> rays_;
   std::vector<double> radii_;
   std::shared_ptr<const TriangleTree> target_;
-  double length_;
+  double length_, lead_;
   double step_ = 0;            // m: unit of clearances, about an edge length of the target
   std::size_t levels_ = 0;     // number of distinct clearances
   int leaf_ = 1, leaves_ = 0;  // most rays in a leaf; number of leaves

@@ -66,6 +66,14 @@ void SmoothCells::find_edges() {
     if (k == 0 || uses[k].low != uses[k - 1].low || uses[k].high != uses[k - 1].high) ++edge_count_;
     edges_[at(uses[k].cell)][at(uses[k].side)] = edge_count_ - 1;
   }
+  neighbours_.assign(mesh_.triangles.size(), {-1, -1, -1});
+  for (std::size_t k = 0, next = 0; k < uses.size(); k = next) {
+    const auto edge = [&](std::size_t i) { return edges_[at(uses[i].cell)][at(uses[i].side)]; };
+    while (next < uses.size() && edge(next) == edge(k)) ++next;
+    if (next != k + 2) continue;
+    neighbours_[at(uses[k].cell)][at(uses[k].side)] = uses[k + 1].cell;
+    neighbours_[at(uses[k + 1].cell)][at(uses[k + 1].side)] = uses[k].cell;
+  }
 }
 
 void SmoothCells::place_corners() {
@@ -90,6 +98,12 @@ std::array<const SmoothCells::Node*, 3> SmoothCells::corners(int cell) const {
   const auto& t = mesh_.triangles[at(cell)];
   return {&corners_[at(t[0])], &corners_[at(t[1])], &corners_[at(t[2])]};
 }
+
+const Vec3& SmoothCells::corner(int cell, int k) const { return corners_[at(mesh_.triangles[at(cell)][at(k)])].x; }
+
+int SmoothCells::neighbour(int cell, int side) const { return neighbours_[at(cell)][at(side)]; }
+
+int SmoothCells::edge(int cell, int side) const { return edges_[at(cell)][at(side)]; }
 
 int SmoothCells::node_count(int divisions) const {
   return static_cast<int>(corners_.size()) + edge_count_ * (divisions - 1) +

@@ -53,11 +53,20 @@ class SmoothCells {
   /// either side (from the same point of `middle`).
   double radius(int cell, const Node& middle, double length) const;
   Node middle(int cell) const;
+  /// The place of its corner k, m.
+  const Vec3& corner(int cell, int k) const;
+  /// The cell beyond the side from corner `side` to the next; -1: none, or more than one.
+  int neighbour(int cell, int side) const;
+  /// The same number from every cell that shares the edge.
+  int edge(int cell, int side) const;
+  int edge_count() const { return edge_count_; }
   double longest_edge(int cell) const { return longest_edges_[static_cast<std::size_t>(cell)]; }
   /// Mean of the cells' longest edges, m.
   double mean_edge() const { return mean_; }
 
   const Surface& surface() const { return *surface_; }
+  /// Of its vertices, on the surface.
+  const std::vector<Node>& corners() const { return corners_; }
   const std::array<int, 3>& vertices(int cell) const { return mesh_.triangles[static_cast<std::size_t>(cell)]; }
 
  private:
@@ -67,9 +76,10 @@ class SmoothCells {
 
   Mesh mesh_;
   std::shared_ptr<const Surface> surface_;
-  std::vector<Node> corners_;              // of the mesh's vertices
-  std::vector<std::array<int, 3>> edges_;  // of each cell: from corner 0 to 1, 1 to 2, 2 to 0
-  std::vector<double> longest_edges_;      // m, of each cell
+  std::vector<Node> corners_;                   // of the mesh's vertices
+  std::vector<std::array<int, 3>> edges_;       // of each cell: from corner 0 to 1, 1 to 2, 2 to 0
+  std::vector<double> longest_edges_;           // m, of each cell
+  std::vector<std::array<int, 3>> neighbours_;  // of each cell, by side
   int edge_count_ = 0;
   double mean_ = 0;  // m: of the longest edges
 };

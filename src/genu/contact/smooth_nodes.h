@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "genu/core/types.h"
+#include "genu/contact/curved_facets.h"
+#include "genu/contact/quadratic_cell.h"
+#include "genu/core/pose.h"
 
 namespace genu {
 
@@ -30,12 +32,46 @@ struct SmoothNode {
   int cell = -1;
 };
 
+/// Where the line from a corner leaves the flat triangles of the target.
+struct CornerHit {
+  std::uint64_t pose = 0;  ///< at which it does
+  int triangle = -1;
+  double depth = 0;  ///< m
+};
+
+/// A cell of the lattice: the part `number` of a triangle of the mesh. Its corners are (i, j) and two steps on from
+/// there, forward or, `turned`, backward.
+struct SmoothPart {
+  int cell = 0, number = 0;
+  int i = 0, j = 0;
+  bool turned = false;
+};
+
+/// Of a part: what does not depend on the pose.
+struct SmoothShape {
+  std::array<int, 6> nodes;  ///< indices
+  QuadraticCell integrals;
+  SmoothCells::Node middle;
+  bool middle_known = false;
+};
+
 struct SmoothNodes {
   int divisions = 0;       ///< of the lattice that the indices below belong to
   std::vector<int> place;  ///< by number: index into `nodes`, -1: not visited
   std::vector<SmoothNode> nodes;
-  std::vector<int> carrying;  ///< indices of the nodes with pressure around them, in the order of the cells
-  std::uint64_t pose = 0;     ///< counts
+  std::vector<int> carrying;   ///< indices of the nodes with pressure around them, in the order of the cells
+  std::uint64_t pose = 0;      ///< counts the poses
+  Pose at;                     ///< the last one,
+  bool known = false;          ///< whether it was summed to the end,
+  double load = 0, error = 0;  ///< N: and the sum there
+
+  std::vector<CornerHit> corners;   ///< of each corner of the cells
+  std::vector<int> reached;         ///< cells with a corner that has a hit at this pose
+  std::vector<std::uint64_t> seen;  ///< of each cell: the pose at which it was listed
+  std::vector<int> shape;           ///< of each part of a cell: index into `shapes`, -1: not visited
+  std::vector<SmoothShape> shapes;
+  std::vector<SmoothPart> touching;  ///< parts with pressure
+  CurvedFacets::Memory facets;
 };
 
 }  // namespace genu

@@ -224,6 +224,30 @@ inline constexpr double kRimClear = 1;
 /// [1] Golden sections of a rim's segment (to 1e-5 of it). Fails first: if too small, the lowest place is inexact.
 inline constexpr int kRimSections = 24;
 
+// curved_facets
+
+/// [1] Last step of a line's meeting with a facet, in its parameters; the error left is its square. Fails first: if too
+/// large, depths are rough and Newton's method stalls.
+inline constexpr double kFacetStep = 1e-7;
+
+/// [1] Distance beyond a side, in barycentric coordinates, at which the next facet is tried at once. Fails first: if
+/// too small, a line that comes back is sent away.
+inline constexpr double kFacetLeave = 0.5;
+
+/// [1] Distance beyond a side from which the line meets the next facet. Fails first: if too small, a line on an edge
+/// goes to and fro.
+inline constexpr double kFacetEdge = 1e-9;
+
+/// [1] Distance up to which a facet counts beyond the rim of the surface. Fails first: if too small, lines that meet
+/// the rim's triangles miss the facets.
+inline constexpr double kFacetOver = 0.3;
+
+/// [1] Most steps on a facet. Fails first: if too small, lines fall back to flat triangles.
+inline constexpr int kMostFacetSteps = 12;
+
+/// [1] Most facets on the way to a line. Fails first: if too small, lines fall back to flat triangles.
+inline constexpr int kMostFacetsWalked = 40;
+
 // smooth_cells
 
 /// [edge] Room round a cell for the smooth surface between its corners. Fails first: if too small, contact inside a
@@ -241,11 +265,19 @@ inline constexpr double kSameNormalCosine = 0.5;
 /// too large, coarse round meshes have edges.
 inline constexpr double kRidgeCosine = 0.64;
 
-// smooth_layer
+// smooth_depths
 
-/// [edge] Distance outside of contact from which a node has no depth (mean edges). Fails first: if too small, contact
-/// begins unseen.
-inline constexpr double kLayerLead = 1.5;
+/// [edge] Distance before a corner at which its line begins (mean edges). Fails first: if too small, contact of rough
+/// meshes begins unseen.
+inline constexpr double kLayerLead = 0.5;
+
+/// [edge] Distance outside of contact from which a corner has no depth. Fails first: if too small, cells at steep edges
+/// of contact count by their nodes only.
+inline constexpr double kLayerReachOut = 1.5;
+
+/// [edge] Distance of the flat triangles from a corner up to which its cells are looked at. Fails first: if too small,
+/// contact of rough meshes begins unseen.
+inline constexpr double kCellNear = 0.4;
 
 /// [edge] Highest bump inside a cell whose corners are clear. Fails first: if too small, contact between corners is
 /// missed.
@@ -257,6 +289,18 @@ inline constexpr double kSmoothTrust = 1;
 
 /// [1] Cosine of a ray with the normal that it meets. Fails first: if too small, grazing rays give infinite depth.
 inline constexpr double kMinRayCosine = 0.1;
+
+/// [1] Most cells at which the interpolation of the pressure is compared with the surface. Fails first: if too small,
+/// the reported error is rough.
+inline constexpr int kErrorSamples = 64;
+
+/// [1] Error by the quadratic between nodes over what its middles show, or over their scatter (0.1 to 3.1 measured). Fails
+/// first: if too small, reported errors of layers are too small.
+inline constexpr double kInterpolationLeft = 4;
+
+/// [1] Share of a cell's middle in the integral of a function that is 0 at its six nodes (exact for cubics). Fails
+/// first: none; a rule of quadrature.
+inline constexpr double kMiddleShare = 0.45;
 
 /// [1] Error left by Richardson's extrapolation over the square of the removed one (0.04 to 0.17 measured). Fails
 /// first: if too small, reported errors of layers are too small.

@@ -61,14 +61,14 @@ void build_smooth(const LayerDef& def, Mesh a, Mesh b, const SharedThickness& on
   const auto cells_a = std::make_shared<const SmoothCells>(std::move(a), between.a);
   const auto cells_b = std::make_shared<const SmoothCells>(std::move(b), between.b);
   const LayerLaw law = law_of(def);
-  const auto side = [&](const auto& cells, const auto& other, const auto& target, const SharedThickness& own,
+  const auto side = [&](const auto& casting, const auto& target, const Tree& tree, const SharedThickness& own,
                         const SharedThickness& others) {
-    return std::make_shared<SmoothLayer>(cells, other, target, between.search_depth, law,
-                                         LayerThickness{def.thickness, own, others});
+    return std::make_shared<const SmoothLayer>(
+        SmoothDepths(casting, target, tree, between.search_depth, law, LayerThickness{def.thickness, own, others}));
   };
   between.layer = std::make_shared<const ElasticLayer>(
-      std::vector<ElasticLayer::Side>{{true, 0.5, side(cells_a, between.b, tree_b, on_a, on_b)},
-                                      {false, 0.5, side(cells_b, between.a, tree_a, on_b, on_a)}},
+      std::vector<ElasticLayer::Side>{{true, 0.5, side(cells_a, cells_b, tree_b, on_a, on_b)},
+                                      {false, 0.5, side(cells_b, cells_a, tree_a, on_b, on_a)}},
       buried, def.damping);
   between.tolerance = def.tolerance;
   between.most_level = kMaxLayerLevel;
