@@ -53,11 +53,21 @@ Facets::Facets(const Mesh& mesh, const SurfaceDef& def) : def_(&def), triangles_
     for (auto& t : triangles_) std::swap(t[1], t[2]);
   else
     turn_closed_outward(vertices_, triangles_);
+  for (const auto& [a, b, c] : triangles_)
+    areas_.push_back(0.5 * (vertices_[at(b)] - vertices_[at(a)]).cross(vertices_[at(c)] - vertices_[at(a)]));
   double sum = 0;
   for (const auto& t : triangles_)
     for (std::size_t k = 0; k < 3; ++k) sum += (vertices_[at(t[k])] - vertices_[at(t[(k + 1) % 3])]).norm();
   edge_ = sum / (3 * std::max(1.0, static_cast<double>(triangles_.size())));
-  cell_ = std::max(edge_, 1e-9);
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  if (!vertices_.empty()) low = high = vertices_[0];
+  for (const Vec3& v : vertices_) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  cell_ = std::max({edge_, (high - low).maxCoeff() / kMostCellsAcross, 1e-9});
+  const Vec3 margin = Vec3::Constant(2 * kCellMargin * cell_);
+  first_cell_ = cell_of(low - margin);
+  const Cell last = cell_of(high + margin);
+  for (std::size_t i = 0; i < 3; ++i) cells_across_[i] = last[i] - first_cell_[i] + 1;
+  occupied_.assign(at(cells_across_[0]) * at(cells_across_[1]) * at(cells_across_[2]), false);
   index();
   find_normals();
 }
@@ -67,17 +77,36 @@ Facets::Cell Facets::cell_of(const Vec3& x) const {
           static_cast<int>(std::floor(x.z() / cell_))};
 }
 
+/// Index of a cell among all in the box of the mesh; empty beside it.
+std::optional<std::size_t> Facets::number(const Cell& cell) const {
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int k = cell[i] - first_cell_[i];
+    if (k < 0 || k >= cells_across_[i]) return std::nullopt;
+    out = out * at(cells_across_[i]) + at(k);
+  }
+  return out;
+}
+
 void Facets::index() {
+  std::vector<Clearance::Box> boxes;
   for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
     const auto& c = triangles_[at(t)];
     const Vec3 &a = vertices_[at(c[0])], &b = vertices_[at(c[1])], &d = vertices_[at(c[2])];
     const Vec3 middle = centroid(t);
     balls_.emplace_back(middle, std::max({(a - middle).norm(), (b - middle).norm(), (d - middle).norm()}));
-    const Cell low = cell_of(a.cwiseMin(b).cwiseMin(d)), high = cell_of(a.cwiseMax(b).cwiseMax(d));
+    // A little larger: a ray that passes along the faces of cells meets the triangle in either.
+    const double margin = kCellMargin * cell_;
+    boxes.push_back({a.cwiseMin(b).cwiseMin(d).array() - margin, a.cwiseMax(b).cwiseMax(d).array() + margin});
+    const Cell low = cell_of(boxes.back().low), high = cell_of(boxes.back().high);
     for (int i = low[0]; i <= high[0]; ++i)
       for (int j = low[1]; j <= high[1]; ++j)
-        for (int k = low[2]; k <= high[2]; ++k) cells_[{i, j, k}].push_back(t);
+        for (int k = low[2]; k <= high[2]; ++k) {
+          cells_[{i, j, k}].push_back(t);
+          occupied_[*number({i, j, k})] = true;
+        }
   }
+  clearance_ = Clearance(boxes);
   const int reach = static_cast<int>(std::ceil(kOverlapReach * edge_ / cell_));
   for (const auto& [cell, triangles] : cells_)
     for (int i = -reach; i <= reach; ++i)
@@ -114,12 +143,6 @@ void Facets::find_normals() {
       border_vertex_[at(a)] = border_vertex_[at(b)] = true;
       rim_.add({vertices_[at(a)], vertices_[at(b)], area(static_cast<int>(t))});
     }
-}
-
-Vec3 Facets::area(int triangle) const {
-  const auto& c = triangles_[at(triangle)];
-  const Vec3& a = vertices_[at(c[0])];
-  return 0.5 * (vertices_[at(c[1])] - a).cross(vertices_[at(c[2])] - a);
 }
 
 Vec3 Facets::centroid(int triangle) const {
@@ -169,41 +192,64 @@ std::optional<Facets::Nearest> Facets::nearest(const Vec3& x, double reach) cons
   return best;
 }
 
-/// Calls visit(triangle, m along the ray, normal . ray) for every triangle that a ray passes through, some repeatedly.
+/// Calls visit(triangle, m along the ray, normal . ray) for every triangle that a ray passes through, some repeatedly,
+/// in the cells along it, and after each cell enough(m along the ray to its end): where that is true no more are
+/// needed.
+template <typename Visit, typename Enough>
+void Facets::each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit, Enough enough) const {
+  Cell cell = cell_of(origin);
+  const auto next = [&](std::size_t i) {  // m along the ray to the cell's end in this direction
+    const auto axis = static_cast<Eigen::Index>(i);
+    if (direction[axis] == 0) return std::numeric_limits<double>::infinity();
+    return ((cell[i] + (direction[axis] > 0 ? 1 : 0)) * cell_ - origin[axis]) / direction[axis];
+  };
+  std::array<double, 3> ends{next(0), next(1), next(2)};
+  while (true) {
+    if (const auto here = number(cell); here && occupied_[*here])
+      for (const int t : cells_.at(cell)) cross(t, origin, direction, length, visit);
+    const std::size_t i = ends[0] <= ends[1] && ends[0] <= ends[2] ? 0 : ends[1] <= ends[2] ? 1 : 2;
+    if (ends[i] > length || enough(ends[i])) return;
+    cell[i] += direction[static_cast<Eigen::Index>(i)] > 0 ? 1 : -1;
+    ends[i] = next(i);
+  }
+}
+
 template <typename Visit>
-void Facets::each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit) const {
-  const Vec3 end = origin + length * direction;
-  each_near(origin.cwiseMin(end), origin.cwiseMax(end), [&](int t) {
-    const auto& c = triangles_[at(t)];
-    const Vec3 n = area(t);
-    const double along = n.dot(direction);
-    if (along == 0) return;
-    const double s = n.dot(vertices_[at(c[0])] - origin) / along;
-    if (s < 0 || s > length) return;
-    const Vec3 p = origin + s * direction;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& a = vertices_[at(c[k])];
-      if (n.cross(vertices_[at(c[(k + 1) % 3])] - a).dot(p - a) < 0) return;
-    }
-    visit(t, s, along);
-  });
+void Facets::cross(int t, const Vec3& origin, const Vec3& direction, double length, Visit visit) const {
+  const auto& c = triangles_[at(t)];
+  const Vec3& n = area(t);
+  const double along = n.dot(direction);
+  if (along == 0) return;
+  const double s = n.dot(vertices_[at(c[0])] - origin) / along;
+  if (s < 0 || s > length) return;
+  const Vec3 p = origin + s * direction;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& a = vertices_[at(c[k])];
+    if (n.cross(vertices_[at(c[(k + 1) % 3])] - a).dot(p - a) < 0) return;
+  }
+  visit(t, s, along);
 }
 
 std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direction, double length) const {
   Hit out{length, -1};
   double entered = length;
-  each_crossed(origin, direction, length, [&](int t, double s, double along) {
-    if (along < 0)
-      entered = std::min(entered, s);
-    else if (s <= out.distance)
-      out = {s, t};
-  });
+  each_crossed(
+      origin, direction, length,
+      [&](int t, double s, double along) {
+        if (along < 0)
+          entered = std::min(entered, s);
+        else if (s <= out.distance)
+          out = {s, t};
+      },
+      [&](double walked) { return std::min(entered, out.distance) < walked; });
   return out.triangle < 0 || entered < out.distance ? std::nullopt : std::optional(out);
 }
 
 bool Facets::enters(const Vec3& origin, const Vec3& direction, double length) const {
   bool found = false;
-  each_crossed(origin, direction, length, [&](int, double, double along) { found = found || along < 0; });
+  each_crossed(
+      origin, direction, length, [&](int, double, double along) { found = found || along < 0; },
+      [&](double) { return found; });
   return found;
 }
 

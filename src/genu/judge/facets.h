@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "genu/judge/clearance.h"
 #include "genu/judge/rim.h"
 #include "genu/mesh/mesh.h"
 #include "genu/scene/scene.h"
@@ -21,6 +22,9 @@ class Facets {
 
   /// Whether x is certainly farther than kOverlapReach edges from all triangles.
   bool clear_of(const Vec3& x) const { return !near_cells_.contains(cell_of(x)); }
+
+  /// Whether x is certainly farther than `reach` (m) from all triangles.
+  bool beyond(const Vec3& x, double reach) const { return clearance_.beyond(x, reach); }
 
   struct Nearest {
     double distance = 0;  ///< m, negative inside
@@ -53,7 +57,7 @@ class Facets {
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
-  Vec3 area(int triangle) const;  ///< m^2, along the outward normal
+  const Vec3& area(int triangle) const { return areas_[genu::at(triangle)]; }  ///< m^2, along the outward normal
   Vec3 centroid(int triangle) const;
   double edge() const { return edge_; }  ///< m: mean
   bool in_patch(const Vec3& p) const;
@@ -65,16 +69,20 @@ class Facets {
     std::size_t operator()(const Cell& c) const;
   };
   Cell cell_of(const Vec3& x) const;
+  std::optional<std::size_t> number(const Cell& cell) const;
   template <typename Visit>
   void each_near(const Vec3& low, const Vec3& high, Visit visit) const;
+  template <typename Visit, typename Enough>
+  void each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit, Enough enough) const;
   template <typename Visit>
-  void each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit) const;
+  void cross(int triangle, const Vec3& origin, const Vec3& direction, double length, Visit visit) const;
   void index();
   void find_normals();
 
   const SurfaceDef* def_;
   std::vector<Vec3> vertices_;
   std::vector<std::array<int, 3>> triangles_;
+  std::vector<Vec3> areas_;
   std::vector<Vec3> vertex_normals_;
   std::vector<std::array<Vec3, 3>> edge_normals_;  // of the edge from corner k to the next
   std::vector<std::array<bool, 3>> border_edge_;
@@ -83,6 +91,9 @@ class Facets {
   std::vector<std::pair<Vec3, double>> balls_;  // around each triangle
   double edge_ = 0, cell_ = 1;
   std::unordered_map<Cell, std::vector<int>, Hash> cells_;
+  Clearance clearance_;
+  Cell first_cell_{}, cells_across_{};
+  std::vector<bool> occupied_;                 ///< by number: whether the cell has triangles
   std::unordered_set<Cell, Hash> near_cells_;  // all within kOverlapReach edges of a triangle
 };
 

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -85,6 +88,7 @@ class Layers {
     if (layer.measured) return pose_.out->skip("pressure of " + name + ": its thickness is measured to a bone");
     if (layer.damping > 0) return pose_.out->skip("pressure of " + name + ": it is damped");
     if (!sum) return;
+    casts_.clear();
     for (int region = -1; region < static_cast<int>(layer.pair.regions.size()); ++region) {
       region_ = region < 0 ? nullptr : &layer.pair.regions[at(region)];
       compare(region_ == nullptr ? written : read(name + "." + region_->name),
@@ -148,8 +152,18 @@ class Layers {
     return shape.in_patch(x - high * n) && high <= most ? high : 0;
   }
 
-  /// The integral cast by one surface, with `fine` times as many samples along an edge, moved `raised` (m) outward.
-  Resultant cast(int from, int to, int fine, double raised = 0) const {
+  /// The integral cast by one surface over the region, with `fine` times as many samples along an edge, moved `raised`
+  /// (m) outward.
+  const Resultant& cast(int from, int to, int fine, double raised = 0) const {
+    const auto [found, fresh] = casts_.try_emplace({from, to, fine, raised});
+    if (fresh) found->second = cast_all(from, to, fine, raised);
+    const std::size_t region =
+        region_ == nullptr ? 0 : 1 + static_cast<std::size_t>(region_ - layer_->pair.regions.data());
+    return found->second[region];
+  }
+
+  /// The same over the whole layer, and over each region.
+  std::vector<Resultant> cast_all(int from, int to, int fine, double raised) const {
     const SurfaceDef &a = scene_.surfaces[at(from)], &b = scene_.surfaces[at(to)];
     const Side &casting = pose_.subject->sides[at(from)], &other = pose_.subject->sides[at(to)];
     const Pose X_Wb = pose_.poses[at(body(true))];
@@ -160,33 +174,45 @@ class Layers {
     const double most = layer_->search_depth > 0 ? layer_->search_depth : layer_->thickness;
     const bool exact =
         casting.facets && other.facets && layer_->quadrature == LayerDef::Quadrature::triangles && raised == 0;
-    Resultant sum;
+    std::vector<Resultant> sums(1 + layer_->pair.regions.size());
     const auto add = [&](const Vec3& on_surface, const Vec3& n, double area, double side) {
       const Vec3 p = on_surface + raised * n;
       const auto [share, depth] = part_of(other, X_oc * p, X_oc.R * n, area, most);
-      const Vec3 x = X_bc * p;
-      if (depth > 0 && !other.facets)
-        sum.lean = std::max(sum.lean, 1 + (X_oc.R * n).dot(other.shape->normal(X_oc * (p - depth * n))));
-      const Vec3 on_b = X_bc.R * (second ? Vec3(-n) : n);
-      if (depth > 0 && exact && region_ != nullptr && lies_on_border(x))
-        sum.on_border.push_back({x, on_b, pressure_of(*layer_, depth), share * area, depth});
-      else if (depth > 0 && region_ != nullptr && !region_->contains(x))
-        ++sum.outside;
-      else if (depth > 0)
-        sum.side = std::max(sum.side, side), sum.add(x, on_b, pressure_of(*layer_, depth), share * area, depth);
+      if (!(depth > 0)) return;
+      const Vec3 x = X_bc * p, on_b = X_bc.R * (second ? Vec3(-n) : n);
+      const double lean = other.facets ? 0 : 1 + (X_oc.R * n).dot(other.shape->normal(X_oc * (p - depth * n)));
+      const Resultant::OnBorder sample{x, on_b, pressure_of(*layer_, depth), share * area, depth};
+      for (std::size_t r = 0; r < sums.size(); ++r) {
+        const RegionDef* region = r == 0 ? nullptr : &layer_->pair.regions[r - 1];
+        sums[r].lean = std::max(sums[r].lean, lean);
+        if (exact && region != nullptr && lies_on_border(*region, x))
+          sums[r].on_border.push_back(sample);
+        else if (region != nullptr && !region->contains(x))
+          ++sums[r].outside;
+        else
+          sums[r].side = std::max(sums[r].side, side), sums[r].add(sample);
+      }
     };
     if (casting.facets) {
-      each_triangle(*casting.facets, fine, add);
+      each_triangle(
+          *casting.facets, fine,
+          [&](const Vec3& middle, const Vec3& n, double radius) {
+            // The ball round the rays, and round what counts of the border before them (rim.h).
+            const double half = 0.5 * (most + kBorderDepth * radius);
+            const Vec3 between = middle - (0.5 * (most - kBorderDepth * radius) - raised) * n;
+            return other.facets && other.facets->beyond(X_oc * between, half + 2 * radius);
+          },
+          add);
     } else {
       for (const Sample& s :
            fine > 1 ? casting.shape->samples(fine * pose_.subject->sampled) : pose_.subject->samples[at(from)])
         add(s.p, s.n, s.area, s.side);
     }
-    return sum;
+    return sums;
   }
 
-  bool lies_on_border(const Vec3& x) const {
-    return std::any_of(region_->conditions.begin(), region_->conditions.end(), [&](const auto& c) {
+  bool lies_on_border(const RegionDef& region, const Vec3& x) const {
+    return std::any_of(region.conditions.begin(), region.conditions.end(), [&](const auto& c) {
       return std::abs(x[c.axis] - c.value) <= kRegionBorder * pose_.subject->size;
     });
   }
@@ -197,13 +223,17 @@ class Layers {
       if (std::abs(sum.area + t.area - written_area) < std::abs(sum.area - written_area)) sum.add(t);
   }
 
-  template <typename Add>
-  static void each_triangle(const Facets& facets, int fine, Add add) {
+  /// Leaves out triangles, all within `radius` (m) of their middle, where clear(middle, normal, radius).
+  template <typename Clear, typename Add>
+  static void each_triangle(const Facets& facets, int fine, Clear clear, Add add) {
     for (int t = 0; t < static_cast<int>(facets.triangles().size()); ++t) {
       const Vec3 area = facets.area(t);
       const double size = area.norm();
       if (!(size > 0) || !facets.in_patch(facets.centroid(t))) continue;
       const auto& c = facets.triangles()[at(t)];
+      double radius = 0;
+      for (const int v : c) radius = std::max(radius, (facets.vertices()[at(v)] - facets.centroid(t)).norm());
+      if (clear(facets.centroid(t), area / size, radius)) continue;
       const Vec3 &o = facets.vertices()[at(c[0])], one = facets.vertices()[at(c[1])] - o,
                  two = facets.vertices()[at(c[2])] - o;
       for (int i = 0; i < fine; ++i)
@@ -377,6 +407,8 @@ class Layers {
   PoseForces& forces_;
   const LayerDef* layer_ = nullptr;
   const RegionDef* region_ = nullptr;  ///< null: the whole layer
+  /// Of this layer at this pose: by surfaces (from, to), fineness and distance moved; for the whole and each region.
+  mutable std::map<std::tuple<int, int, int, double>, std::vector<Resultant>> casts_;
 };
 
 }  // namespace

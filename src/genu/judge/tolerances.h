@@ -29,6 +29,11 @@ inline constexpr int kMaxConeRounds = 30;
 /// [deg] Least opening of a cone of facets' normals. Fails first: if too small, round-off of a normal rejects a pose.
 inline constexpr double kMinCone = 1e-6;
 
+// clearance
+
+/// [1] Cells across a set of boxes. Fails first: if too small, nothing is seen to be clear; if too large, memory.
+inline constexpr double kClearanceCells = 64;
+
 // curve
 
 /// [s] Step of the difference that is the rate of a target. Fails first: if too large, rates of fast targets are
@@ -39,6 +44,13 @@ inline constexpr double kCourseStep = 1e-4;
 inline constexpr double kFeedbackRateTolerance = 1e-5;
 
 // facets
+
+/// [1] Most cells across a mesh. Fails first: if too small, cells hold many triangles; if too large, memory.
+inline constexpr double kMostCellsAcross = 256;
+
+/// [cell] Triangles count this far beyond their cells. Fails first: if too small, a ray along the border of cells
+/// passes between triangles.
+inline constexpr double kCellMargin = 1e-6;
 
 /// [edge] How deep overlap is looked for. Fails first: if too small, deep overlap is missed.
 inline constexpr double kOverlapReach = 2;
