@@ -100,6 +100,28 @@ TEST(LayerRays, WhatEntersBeforeItLeavesIsNoOverlap) {
   EXPECT_GT(through, 1000);
 }
 
+TEST(LayerRays, WhatTheirLeadEntersIsOverlap) {
+  // A slab 2 mm thick: rays begin up to 6 mm before it, with a lead that ends within it or before.
+  Mesh target = test::sheet(0.05, 12);
+  const int first = static_cast<int>(target.vertices.size());
+  const std::size_t upper = target.triangles.size();
+  for (int v = 0; v < first; ++v) target.vertices.push_back(target.vertices[at(v)] - 2e-3 * Vec3::UnitZ());
+  for (std::size_t t = 0; t < upper; ++t) {
+    const auto c = target.triangles[t];
+    target.triangles.push_back({c[0] + first, c[2] + first, c[1] + first});
+  }
+  const Mesh casting = test::sheet(0.03, 20);
+  constexpr double kLead = 4e-3;
+  const LayerRays rays(rays_of(casting), std::make_shared<TriangleTree>(target), 9e-3, LayerRays::Grouping::together,
+                       {}, kLead);
+  LayerRays::Memory memory;
+  for (const double z : {1.5e-3, 3e-3, 3.9e-3, 4.1e-3, 5e-3, 6e-3}) {
+    const auto met = cast(rays, {exp_rotation({0, 0, 0.2}), {1e-3, 2e-3, z}}, memory);
+    EXPECT_EQ(met.size(), z < kLead ? casting.triangles.size() : 0) << z;
+    for (const Met& m : met) EXPECT_NEAR(m.distance, z + 2e-3, 1e-12);
+  }
+}
+
 /// The full search of the tree for every ray, in the order of the rays that were met.
 void expect_full_search(const LayerRays& rays, const Pose& X_TC, const std::vector<Met>& met) {
   std::vector<TriangleTree::Hit> found(rays.rays().size());
