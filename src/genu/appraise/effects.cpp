@@ -29,7 +29,7 @@ std::string layer_note(const Prepared& p) {
   if (more > 0) by_triangles += fmt::format(" and {} more", more);
   if (!by_triangles.empty())
     note +=
-        fmt::format("; {} by triangles (quadrature = \"smooth\": 3 % nearer, some 40 times the time)", by_triangles);
+        fmt::format("; {} by triangles (quadrature = \"smooth\": 3 % nearer, up to ten times the time)", by_triangles);
   return note;
 }
 

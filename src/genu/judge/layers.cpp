@@ -204,9 +204,15 @@ class Layers {
           },
           add);
     } else {
-      for (const Sample& s :
-           fine > 1 ? casting.shape->samples(fine * pose_.subject->sampled) : pose_.subject->samples[at(from)])
-        add(s.p, s.n, s.area, s.side);
+      each_sample(
+          from, fine,
+          [&](const Sample& s) {
+            const Vec3 p = X_oc * s.p;
+            const double reach = 2 * s.side + std::abs(raised);
+            return other.facets ? other.facets->beyond(p, most + reach)
+                                : other.shape->value(p) > other.shape->steepness(p) * reach;
+          },
+          add);
     }
     return sums;
   }
@@ -243,6 +249,21 @@ class Layers {
           const Vec3 p = o + ((i + third) * one + (column + third) * two) / fine;
           add(p, area / size, size / (fine * fine), std::sqrt(2 * size) / fine);
         }
+    }
+  }
+
+  /// Leaves out pieces, all within their side of their middle, where clear(piece).
+  template <typename Clear, typename Add>
+  void each_sample(int surface, int fine, Clear clear, Add add) const {
+    const std::vector<Sample>& pieces = pose_.subject->pieces[at(surface)];
+    const Shape& shape = *pose_.subject->sides[at(surface)].shape;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (clear(pieces[k])) continue;
+      if (fine == 1 && shape.in_patch(pieces[k].p))
+        add(pieces[k].p, pieces[k].n, pieces[k].area, pieces[k].side);
+      else if (fine > 1)
+        for (const Sample& s : shape.samples_of(pose_.subject->sampled, static_cast<int>(k), fine))
+          add(s.p, s.n, s.area, s.side);
     }
   }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "genu/judge/tolerances.h"
+
 namespace genu::judge {
 namespace {
 
@@ -33,11 +35,6 @@ Height height(const std::vector<SurfaceDef::Term>& terms, double u, double v) {
 double angle_near(double theta, double centre) {
   return theta - 2 * kPi * std::ceil((theta - centre) / (2 * kPi) - 0.5);
 }
-
-/// Range of the two parameters u, v.
-struct Range {
-  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-};
 
 }  // namespace
 
@@ -171,50 +168,81 @@ bool Shape::bounded() const {
   return true;
 }
 
-std::vector<Sample> Shape::samples(int n) const {
+double Shape::steepness(const Vec3& p) const {
+  const bool polynomial = def_->shape == Form::polynomial || def_->shape == Form::cylindrical_polynomial;
+  return polynomial ? kSteeperNearby * (1 + gradient(p).norm()) : 1;
+}
+
+Shape::Parameters Shape::parameters() const {
   const SurfaceDef& d = *def_;
   const auto range = [&](std::size_t axis) { return *d.patch->box[axis]; };
-  Range r{-kPi, kPi, -kPi / 2, kPi / 2};
+  Parameters r{-kPi, kPi, -kPi / 2, kPi / 2};
   if (d.shape == Form::torus) r.v0 = -kPi, r.v1 = kPi;
   if (d.shape == Form::plane || d.shape == Form::polynomial)
     r = {range(0).first, range(0).second, range(1).first, range(1).second};
   if (d.shape == Form::cylinder || d.shape == Form::cylindrical_polynomial)
     r.v0 = range(2).first, r.v1 = range(2).second;
   if (d.patch && d.patch->theta) r.u0 = d.patch->theta->first, r.u1 = d.patch->theta->second;
-  const auto point = [&](double u, double v) -> Vec3 {
-    const Vec3 out(std::cos(u), std::sin(u), 0);
-    switch (d.shape) {
-      case Form::sphere:
-        return d.radius * Vec3(std::cos(v) * out + std::sin(v) * Vec3::UnitZ());
-      case Form::ellipsoid:
-        return d.radii.cwiseProduct(Vec3(std::cos(v) * out + std::sin(v) * Vec3::UnitZ()));
-      case Form::torus:
-        return (d.major_radius + d.minor_radius * std::cos(v)) * out + d.minor_radius * std::sin(v) * Vec3::UnitZ();
-      case Form::cylinder:
-        return d.radius * out + v * Vec3::UnitZ();
-      case Form::cylindrical_polynomial:
-        return height(d.terms, u, v).h * out + v * Vec3::UnitZ();
-      case Form::polynomial:
-        return {u, v, height(d.terms, u, v).h};
-      case Form::plane:
-      case Form::mesh:
-        break;
-    }
-    return {u, v, 0};
-  };
-  std::vector<Sample> samples;
+  return r;
+}
+
+Vec3 Shape::point(double u, double v) const {
+  const SurfaceDef& d = *def_;
+  const Vec3 out(std::cos(u), std::sin(u), 0);
+  switch (d.shape) {
+    case Form::sphere:
+      return d.radius * Vec3(std::cos(v) * out + std::sin(v) * Vec3::UnitZ());
+    case Form::ellipsoid:
+      return d.radii.cwiseProduct(Vec3(std::cos(v) * out + std::sin(v) * Vec3::UnitZ()));
+    case Form::torus:
+      return (d.major_radius + d.minor_radius * std::cos(v)) * out + d.minor_radius * std::sin(v) * Vec3::UnitZ();
+    case Form::cylinder:
+      return d.radius * out + v * Vec3::UnitZ();
+    case Form::cylindrical_polynomial:
+      return height(d.terms, u, v).h * out + v * Vec3::UnitZ();
+    case Form::polynomial:
+      return {u, v, height(d.terms, u, v).h};
+    case Form::plane:
+    case Form::mesh:
+      break;
+  }
+  return {u, v, 0};
+}
+
+/// The piece (i, j) of n x n; its area from its midlines.
+Sample Shape::piece(const Parameters& r, int n, int i, int j) const {
   const double du = (r.u1 - r.u0) / n, dv = (r.v1 - r.v0) / n;
+  const double u = r.u0 + (i + 0.5) * du, v = r.v0 + (j + 0.5) * dv;
+  const Vec3 along_u = point(u + du / 2, v) - point(u - du / 2, v);
+  const Vec3 along_v = point(u, v + dv / 2) - point(u, v - dv / 2);
+  const Vec3 p = point(u, v);
+  return {p, normal(p), along_u.cross(along_v).norm(), std::max(along_u.norm(), along_v.norm())};
+}
+
+std::vector<Sample> Shape::pieces(int n) const {
+  const Parameters r = parameters();
+  std::vector<Sample> out;
+  out.reserve(at(n) * at(n));
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double u = r.u0 + (i + 0.5) * du, v = r.v0 + (j + 0.5) * dv;
-      const Vec3 p = point(u, v);
-      if (!in_patch(p)) continue;
-      // Area of the cell from its midlines.
-      const Vec3 along_u = point(u + du / 2, v) - point(u - du / 2, v);
-      const Vec3 along_v = point(u, v + dv / 2) - point(u, v - dv / 2);
-      samples.push_back({p, normal(p), along_u.cross(along_v).norm(), std::max(along_u.norm(), along_v.norm())});
+    for (int j = 0; j < n; ++j) out.push_back(piece(r, n, i, j));
+  return out;
+}
+
+std::vector<Sample> Shape::samples(int n) const {
+  std::vector<Sample> out = pieces(n);
+  std::erase_if(out, [this](const Sample& s) { return !in_patch(s.p); });
+  return out;
+}
+
+std::vector<Sample> Shape::samples_of(int n, int index, int fine) const {
+  const Parameters r = parameters();
+  std::vector<Sample> out;
+  for (int i = 0; i < fine; ++i)
+    for (int j = 0; j < fine; ++j) {
+      const Sample s = piece(r, n * fine, index / n * fine + i, index % n * fine + j);
+      if (in_patch(s.p)) out.push_back(s);
     }
-  return samples;
+  return out;
 }
 
 }  // namespace genu::judge

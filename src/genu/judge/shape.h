@@ -38,8 +38,22 @@ class Shape {
   bool bounded() const;
   /// About n x n samples over the patch, fine enough for integration. For a bounded shape only.
   std::vector<Sample> samples(int n) const;
+  /// n x n samples, also beside the patch, and those in the patch of the one with this index, divided into
+  /// `fine` x `fine`.
+  std::vector<Sample> pieces(int n) const;
+  std::vector<Sample> samples_of(int n, int index, int fine) const;
+  /// How fast value() changes at most near p, over the distance.
+  double steepness(const Vec3& p) const;
 
  private:
+  /// Range of the two parameters u, v.
+  struct Parameters {
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  };
+  Parameters parameters() const;
+  Vec3 point(double u, double v) const;
+  Sample piece(const Parameters& r, int n, int i, int j) const;
+
   const SurfaceDef* def_;
 };
 

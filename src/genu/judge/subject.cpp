@@ -138,8 +138,11 @@ std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Dia
   }
   if (!good) return nullptr;
   made->sampled = samples;
-  for (const Side& side : made->sides)
-    made->samples.push_back(side.shape && side.shape->bounded() ? side.shape->samples(samples) : std::vector<Sample>());
+  for (const Side& side : made->sides) {
+    const bool sampled = side.shape && side.shape->bounded();
+    made->samples.push_back(sampled ? side.shape->samples(samples) : std::vector<Sample>());
+    made->pieces.push_back(sampled ? side.shape->pieces(samples) : std::vector<Sample>());
+  }
   made->size = size_of(s, made->sides);
   scale_forces(*made);
   return made;

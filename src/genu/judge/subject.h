@@ -32,6 +32,7 @@ struct Subject {
   Scene scene;
   std::vector<Side> sides;                   ///< of Scene::surfaces
   std::vector<std::vector<Sample>> samples;  ///< of Scene::surfaces: bounded closed forms
+  std::vector<std::vector<Sample>> pieces;   ///< the same, also beside the patch
   int sampled = 0;                           ///< samples along each side, about
   std::vector<TensionLaw> laws;
   std::vector<Mass> masses;  ///< of Scene::bodies

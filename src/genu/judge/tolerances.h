@@ -147,6 +147,12 @@ inline constexpr double kMaxSlack = 1e-8;
 /// [1] Ratio of the judge's norm of a residual to the solver's. Fails first: if too small, good rows are rejected.
 inline constexpr double kResidualNorms = 30;
 
+// shape
+
+/// [1] How much steeper a polynomial is at most a few samples further on. Fails first: if too small, samples in contact
+/// are left out and sums are too small.
+inline constexpr double kSteeperNearby = 4;
+
 // start_sides
 
 /// [1] Vertices of a mesh whose side is looked at. Fails first: if too small, a pair is not recognised; if too large,
