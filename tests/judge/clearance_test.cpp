@@ -38,7 +38,9 @@ TEST(Clearance, IsABoundAndNotMuchLess) {
   EXPECT_LT(clear, 1900);
 }
 
-TEST(Clearance, OfNothingIsWithoutBound) { EXPECT_TRUE(Clearance(std::vector<Clearance::Box>()).beyond(Vec3::Zero(), 1e6)); }
+TEST(Clearance, OfNothingIsWithoutBound) {
+  EXPECT_TRUE(Clearance(std::vector<Clearance::Box>()).beyond(Vec3::Zero(), 1e6));
+}
 
 }  // namespace
 }  // namespace genu::judge

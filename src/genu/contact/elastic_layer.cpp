@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace genu {
 namespace {
@@ -72,12 +73,17 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
   }
   memory.sides.resize(sides_.size());
   std::array<LayerSum, kMostSides> sums;
-  tbb::parallel_for(std::size_t{0}, sides_.size(), [&](std::size_t i) {
+  const auto add = [&](std::size_t i) {
     const Side& side = sides_[i];
     const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
     memory.sides[i].cancelled = memory.cancelled;
     side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sums[i], level, motion(side, X_Wa, X_Wb, twists));
-  });
+  };
+  // Isolated: while it waits this thread shall not begin another path, of which there may be many.
+  if (sides_.size() == 1)
+    add(0);
+  else
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, sides_.size(), add); });
   out = LayerWrench();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Side& side = sides_[i];

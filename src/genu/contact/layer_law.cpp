@@ -9,10 +9,9 @@ namespace genu {
 LayerLaw::Pressure LayerLaw::at(double d, double h) const {
   if (kind == Kind::linear) return {confined_modulus * d / h, confined_modulus / h};
   const double e = d / h;
-  const double sign = e < 0 ? -1.0 : 1.0, size = std::abs(e);
-  if (size <= kMaxCompression) return {-sign * confined_modulus * std::log1p(-size), confined_modulus / h / (1 - size)};
+  if (e <= kMaxCompression) return {-confined_modulus * std::log1p(-e), confined_modulus / h / (1 - e)};
   const double slope = confined_modulus / (1 - kMaxCompression);
-  return {sign * (slope * (size - kMaxCompression) - confined_modulus * std::log1p(-kMaxCompression)), slope / h};
+  return {slope * (e - kMaxCompression) - confined_modulus * std::log1p(-kMaxCompression), slope / h};
 }
 
 }  // namespace genu

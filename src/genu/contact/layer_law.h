@@ -18,7 +18,7 @@ struct LayerLaw {
     double slope = 0;  ///< dp/dd, Pa/m
   };
 
-  /// At the depth d (m) of layers h (m) thick, negative depths included: the odd continuation, whose sign tells.
+  /// At the depth d (m) of layers h (m) thick. Negative depths continue the formula: their pressure is negative.
   Pressure at(double d, double h) const;
 };
 

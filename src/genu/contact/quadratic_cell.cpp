@@ -73,7 +73,7 @@ QuadraticCell::QuadraticCell(const SixPlaces& x) {
     ClippedIntegrals part;
     clipped_integrals(areas_[k], Vec3::Ones(), part);
     add_piece(piece, part, whole_);
-    removed_ += (k < kCoarse ? -1.0 : 1.0) / 3 * piece.shares.transpose() * part.mass.rowwise().sum();
+    removed_ += (k < kCoarse ? -4.0 : 4.0) / 3 * piece.shares.transpose() * part.mass.rowwise().sum();
   }
 }
 
@@ -93,7 +93,7 @@ QuadraticCell::Part QuadraticCell::integrate(const Vec6& p, CellIntegrals& out, 
     if (!clipped_integrals(areas_[k], here, part)) continue;
     some = true;
     add_piece(piece, part, out);
-    removed += (k < kCoarse ? -1.0 : 1.0) / 3 * part.mass.colwise().sum().dot(here);
+    removed += (k < kCoarse ? -4.0 : 4.0) / 3 * part.mass.colwise().sum().dot(here);
   }
   return some ? Part::some : Part::none;
 }

@@ -39,7 +39,8 @@ class QuadraticCell {
 
   /// Of the whole cell.
   const CellIntegrals& whole() const { return whole_; }
-  /// Where the part is `some`, fills `out` with its integrals. `removed`: what extrapolation took from the load, N.
+  /// Where the part is `some`, fills `out` with its integrals. `removed`: what extrapolation took from the load of
+  /// the coarser division, N.
   Part integrate(const Vec6& p, CellIntegrals& out, double& removed) const;
 
  private:

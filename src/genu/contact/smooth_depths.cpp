@@ -31,7 +31,8 @@ SmoothDepths::SmoothDepths(std::shared_ptr<const SmoothCells> casting, std::shar
       target_(std::move(target)),
       tree_(std::move(tree)),
       search_depth_(search_depth),
-      lead_(kLayerLead * casting_->mean_edge()),
+      edge_(target_->mean_edge()),
+      lead_(lead()),
       trust_(kSmoothTrust * mean_edge(*tree_)),
       law_(law),
       thickness_(std::move(thickness)),
@@ -47,13 +48,21 @@ SmoothDepths::SmoothDepths(std::shared_ptr<const SmoothCells> casting, std::shar
     for (const int v : casting_->vertices(cell)) cells_[at(next[at(v)]++)] = cell;
 }
 
+/// Beyond bumps within a cell and the distance of the target's triangles from its smooth surface.
+double SmoothDepths::lead() const {
+  double longest = 0;
+  for (int cell = 0; cell < casting_->cell_count(); ++cell) longest = std::max(longest, casting_->longest_edge(cell));
+  return std::max(kLayerLead * std::max(casting_->mean_edge(), edge_), kCellBump * longest);
+}
+
 void SmoothDepths::begin(const Pose& X_TC, int divisions, Memory& memory) const {
   SmoothNodes& known = memory.nodes;
   if (known.divisions != divisions) {
     known.divisions = divisions;
     known.place.assign(at(casting_->node_count(divisions)), -1);
     known.nodes.clear();
-    known.shape.assign(at(casting_->cell_count() * (divisions / 2) * (divisions / 2)), -1);
+    known.first_part.assign(at(casting_->cell_count()), -1);
+    known.shape.clear();
     known.shapes.clear();
   }
   known.corners.resize(casting_->corners().size());
@@ -66,7 +75,7 @@ void SmoothDepths::begin(const Pose& X_TC, int divisions, Memory& memory) const 
   rays_.cast(X_TC, memory, [&](int corner, const TriangleTree::Hit& hit, const Vec3&, const Vec3&) {
     known.corners[at(corner)] = {known.pose, hit.triangle, hit.distance - lead_};
     for (int k = first_cell_[at(corner)]; k < first_cell_[at(corner + 1)]; ++k) {
-      if (hit.distance - lead_ < -kCellNear * casting_->longest_edge(cells_[at(k)])) continue;
+      if (hit.distance - lead_ < -kCellNear * std::max(edge_, casting_->longest_edge(cells_[at(k)]))) continue;
       std::uint64_t& seen = known.seen[at(cells_[at(k)])];
       if (seen != known.pose) known.reached.push_back(cells_[at(k)]);
       seen = known.pose;
@@ -154,16 +163,30 @@ double SmoothDepths::own_thickness(const SmoothCells::Place& place) const {
   return thickness_.constant + own;
 }
 
-/// Outside of contact, further than the lines from the corners begin: from the facet that another corner of the cell
-/// meets.
+/// Outside of contact, further than the lines from the corners begin: from a facet that another corner of the cell
+/// meets, or of any cell at this corner.
 bool SmoothDepths::beyond_lead(const SmoothCells::Place& place, const Line& line, Memory& memory, Depth& out) const {
+  const double limit = kLayerReachOut * casting_->longest_edge(place.cell);
+  if (!SmoothCells::is_corner(place)) return beyond_lead_of(place.cell, limit, line, memory, out);
+  const std::size_t v = at(casting_->number(place)), first = at(first_cell_[v]), last = at(first_cell_[v + 1]);
+  double most = 0;
+  for (std::size_t k = first; k < last; ++k) most = std::max(most, kLayerReachOut * casting_->longest_edge(cells_[k]));
+  for (std::size_t k = first; k < last; ++k)
+    if (beyond_lead_of(cells_[k], most, line, memory, out)) return true;
+  return false;
+}
+
+bool SmoothDepths::beyond_lead_of(int cell, double limit, const Line& line, Memory& memory, Depth& out) const {
   const SmoothNodes& known = memory.nodes;
-  for (const int v : casting_->vertices(place.cell)) {
+  for (const int v : casting_->vertices(cell)) {
     const CornerHit& hit = known.corners[at(v)];
     if (hit.pose != known.pose) continue;
     CurvedFacets::Meeting there;
     if (!facets_.meet(line.origin, line.direction, hit.triangle, memory.nodes.facets, there)) continue;
-    if (!(there.distance < 0 && there.distance > -kLayerReachOut * casting_->longest_edge(place.cell))) continue;
+    if (!(there.distance < 0 && there.distance > -limit)) continue;
+    if (!(there.normal.dot(line.direction) > kMinRayCosine)) continue;
+    const Vec3& flat = tree_->area_vector(there.facet);
+    if (!(flat.dot(line.direction) > kMinRayCosine * flat.norm())) continue;
     out.triangle = there.facet;
     out.flat = there.distance;
     return true;
@@ -204,7 +227,7 @@ SmoothDepths::Depth SmoothDepths::measure_inside(const Pose& X_TC, const SmoothC
                                           : follow(X_TC, line, between, out)))
     return out;
   out = {};
-  if (cast(line, hint, out)) bend(X_TC, line, memory, out);
+  if (cast(line, hint, out) || beyond_lead(place, line, memory, out)) bend(X_TC, line, memory, out);
   return out;
 }
 

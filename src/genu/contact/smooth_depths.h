@@ -63,6 +63,8 @@ class SmoothDepths {
 
   Depth measure_corner(const Pose& X_TC, const SmoothCells::Place& place, const Line& line, Memory& memory) const;
   bool beyond_lead(const SmoothCells::Place& place, const Line& line, Memory& memory, Depth& out) const;
+  bool beyond_lead_of(int cell, double limit, const Line& line, Memory& memory, Depth& out) const;
+  double lead() const;
   Depth measure_inside(const Pose& X_TC, const SmoothCells::Place& place, const Line& line, int hint,
                        Memory& memory) const;
   bool cast(const Line& line, int hint, Depth& out) const;
@@ -79,7 +81,7 @@ class SmoothDepths {
   std::shared_ptr<const SmoothCells> casting_;
   std::shared_ptr<const SmoothCells> target_;
   std::shared_ptr<const TriangleTree> tree_;
-  double search_depth_, lead_, trust_;  // m
+  double search_depth_, edge_, lead_, trust_;  // m; `edge_`: mean of the target
   LayerLaw law_;
   LayerThickness thickness_;
   CurvedFacets facets_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "genu/contact/tolerances.h"
 
@@ -21,7 +22,7 @@ double damped(const LayerMotion& motion, const SmoothNode& node) {
 }
 
 /// The triangles that the sides' middles make of a cell.
-constexpr int kQuarters[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {4, 5, 3}};
+constexpr std::array<int, 3> kQuarters[4] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {4, 5, 3}}, kCorners = {0, 1, 2};
 
 void list(SmoothNode& node, SmoothNodes& known) {
   if (!node.listed) known.carrying.push_back(static_cast<int>(&node - known.nodes.data()));
@@ -41,6 +42,13 @@ double spread(const CellIntegrals& integrals, const Vec6& p, const std::array<Sm
     nodes[k]->load_rate += load_rates.col(i);
   }
   return loads.sum();
+}
+
+/// A number of the part, without a pattern among neighbours.
+std::size_t mixed(const SmoothPart& part) {
+  return ((static_cast<std::uint64_t>(part.cell) << 8) + static_cast<std::uint64_t>(part.number)) *
+             0x9e3779b97f4a7c15u >>
+         32;
 }
 
 void mark_passed(const std::array<SmoothNode*, 6>& nodes) {
@@ -84,8 +92,12 @@ std::array<SmoothCells::Place, 6> SmoothLayer::places(const SmoothPart& part, in
 /// Index of the part's shape.
 int SmoothLayer::shape(const SmoothPart& part, Memory& memory) const {
   SmoothNodes& known = memory.nodes;
-  const int half = known.divisions / 2;
-  int& index = known.shape[at(part.cell * half * half + part.number)];
+  int& first = known.first_part[at(part.cell)];
+  if (first < 0) {
+    first = static_cast<int>(known.shape.size());
+    known.shape.resize(known.shape.size() + at(known.divisions / 2) * at(known.divisions / 2), -1);
+  }
+  int& index = known.shape[at(first + part.number)];
   if (index >= 0) return index;
   index = static_cast<int>(known.shapes.size());
   SmoothShape& shape = known.shapes.emplace_back();
@@ -111,28 +123,35 @@ SmoothLayer::Six SmoothLayer::nodes(const Pose& X_TC, const SmoothPart& part, in
   return out;
 }
 
-/// At the edge of the other surface: each node of the cell's quarters counts for a third if it meets that surface.
-bool SmoothLayer::add_torn(const Six& nodes, Memory& memory, LayerSum& out) const {
-  bool any = false;
-  for (const auto& quarter : kQuarters) {
-    const SmoothNode &a = *nodes[at(quarter[0])], &b = *nodes[at(quarter[1])], &c = *nodes[at(quarter[2])];
-    const double area = 0.5 * (b.x - a.x).cross(c.x - a.x).norm();
-    for (const int k : quarter) {
+/// At the edge of the other surface: each node counts for a third of a triangle if it meets that surface. The cell's
+/// quarters and the cell undivided are extrapolated.
+bool SmoothLayer::add_torn(const Six& nodes, Memory& memory, Total& out) const {
+  const auto add = [&](const std::array<int, 3>& corners, double weight) {
+    const Vec3 &a = nodes[at(corners[0])]->x, &b = nodes[at(corners[1])]->x, &c = nodes[at(corners[2])]->x;
+    const double third = 0.5 * (b - a).cross(c - a).norm() / 3;
+    double load = 0;
+    for (const int k : corners) {
       SmoothNode& node = *nodes[at(k)];
       if (!node.met || !(node.p > 0)) continue;
-      any = true;
       list(node, memory.nodes);
-      node.area += area / 3;
-      node.load += area / 3 * node.p;
-      node.load_rate += area / 3 * node.p_rate;
-      out.load += area / 3 * node.p;
+      node.area += weight * third;
+      node.load += weight * third * node.p;
+      node.load_rate += weight * third * node.p_rate;
+      load += third * node.p;
     }
-  }
-  if (any) mark_passed(nodes);
-  return any;
+    return load;
+  };
+  const double coarse = add(kCorners, -1.0 / 3);
+  double fine = 0;
+  for (const auto& quarter : kQuarters) fine += add(quarter, 4.0 / 3);
+  out.load += (4 * fine - coarse) / 3;
+  out.removed += 4.0 / 3 * std::abs(fine - coarse);
+  if (!(fine > 0)) return false;
+  mark_passed(nodes);
+  return true;
 }
 
-bool SmoothLayer::add_part(const Pose& X_TC, const SmoothPart& part, Memory& memory, LayerSum& out) const {
+bool SmoothLayer::add_part(const Pose& X_TC, const SmoothPart& part, Memory& memory, Total& out) const {
   const int shape = this->shape(part, memory);
   const Six nodes = this->nodes(X_TC, part, shape, memory);
   Vec6 p;
@@ -149,12 +168,12 @@ bool SmoothLayer::add_part(const Pose& X_TC, const SmoothPart& part, Memory& mem
   if (positive == QuadraticCell::Part::none) return false;
   for (SmoothNode* node : nodes) list(*node, memory.nodes);
   out.load += spread(positive == QuadraticCell::Part::whole ? cell.whole() : some, p, nodes);
-  out.error += std::abs(removed);
+  out.removed += std::abs(removed);
   mark_passed(nodes);
   return true;
 }
 
-void SmoothLayer::add_cell(const Pose& X_TC, int cell, Memory& memory, LayerSum& out) const {
+void SmoothLayer::add_cell(const Pose& X_TC, int cell, Memory& memory, Total& out) const {
   if (!worth_it(X_TC, cell, memory)) return;
   const int divisions = memory.nodes.divisions;
   int number = 0;
@@ -174,12 +193,13 @@ double SmoothLayer::interpolation_error(const Pose& X_TC, const SmoothPart& part
   const int index = this->shape(part, memory);
   const Six nodes = this->nodes(X_TC, part, index, memory);
   const Vec6 shares = quadratic_shares(1.0 / 3, 1.0 / 3);
-  double depth = 0, slope = 0, touching = 0;
+  double depth = 0, thickness = 0, p = 0, touching = 0;
   for (std::size_t k = 0; k < 6; ++k) {
     if (!nodes[k]->met) return 0;
     const double share = shares[static_cast<Eigen::Index>(k)];
     depth += share * nodes[k]->depth;
-    slope += share * nodes[k]->slope;
+    thickness += share * nodes[k]->thickness;
+    p += share * nodes[k]->p;
     touching += nodes[k]->p > 0 ? 1.0 / 6 : 0;
   }
   SmoothShape& shape = memory.nodes.shapes[at(index)];
@@ -190,35 +210,43 @@ double SmoothLayer::interpolation_error(const Pose& X_TC, const SmoothPart& part
   }
   SmoothDepths::Depth there;
   if (!depths_.follow(X_TC, shape.middle, depth, there)) return 0;
-  return kMiddleShare * touching * shape.integrals.whole().share.sum() * slope * (there.depth - depth);
+  return kMiddleShare * touching * shape.integrals.whole().share.sum() *
+         (depths_.law().at(there.depth, thickness).p - p);
 }
 
 /// N: the same of the whole load, from some of the parts. They are chosen by number, so that most are the same at the
 /// next pose.
 double SmoothLayer::interpolation_error(const Pose& X_TC, Memory& memory) const {
   const std::vector<SmoothPart>& touching = memory.nodes.touching;
-  std::size_t stride = 1;
+  std::size_t stride = 1, count = 0;
   while (touching.size() > at(kErrorSamples) * stride) stride *= 2;
   double sum = 0, squares = 0;
-  std::size_t count = 0;
-  for (const SmoothPart& part : touching) {
-    if (at(part.cell + part.number) % stride != 0) continue;
-    const double error = interpolation_error(X_TC, part, memory);
-    ++count;
-    sum += error;
-    squares += error * error;
-  }
-  const double each = static_cast<double>(touching.size()) / static_cast<double>(std::max<std::size_t>(1, count));
-  return kInterpolationLeft * std::max(each * std::abs(sum), std::sqrt(each * squares));
+  for (; count == 0 && !touching.empty(); stride = 1)
+    for (const SmoothPart& part : touching) {
+      if (mixed(part) % stride != 0) continue;
+      const double error = interpolation_error(X_TC, part, memory);
+      ++count;
+      sum += error;
+      squares += error * error;
+    }
+  if (touching.empty()) return 0;
+  const double each = static_cast<double>(touching.size()) / static_cast<double>(count);
+  // The mean counts as far as it is not the scatter of the few that were looked at.
+  const double mean = each * (std::abs(sum) - std::sqrt((1 - 1 / each) * squares));
+  return kInterpolationLeft * std::max(mean, std::sqrt(each * squares));
 }
 
-void SmoothLayer::sum_anew(const Pose& X_TC, Memory& memory, LayerSum& out) const {
+void SmoothLayer::sum_anew(const Pose& X_TC, Memory& memory) const {
+  Total out;
   for (const int cell : memory.nodes.reached) {
     if (asked_to_stop(memory.cancelled)) return;
     add_cell(X_TC, cell, memory, out);
   }
-  if (out.load > 0) out.error = kErrorLeft * out.error * out.error / out.load + interpolation_error(X_TC, memory);
-  memory.nodes.known = true;
+  SmoothNodes& known = memory.nodes;
+  known.load = out.load;
+  const double left = out.load > out.removed ? kErrorLeft * out.removed * out.removed / out.load : out.removed;
+  known.error = left + interpolation_error(X_TC, memory);
+  known.known = true;
 }
 
 /// Leaves what nodes carry in the memory.
@@ -227,11 +255,9 @@ void SmoothLayer::sum(const Pose& X_TC, Memory& memory, int level) const {
   SmoothNodes& known = memory.nodes;
   if (known.known && known.divisions == divisions && known.at == X_TC) return;
   known.known = false;
+  known.load = known.error = 0;
   depths_.begin(X_TC, divisions, memory);
-  LayerSum out;
-  sum_anew(X_TC, memory, out);
-  known.load = out.load;
-  known.error = out.error;
+  sum_anew(X_TC, memory);
 }
 
 void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level, const LayerMotion& motion) const {

@@ -36,13 +36,17 @@ class SmoothLayer final : public LayerQuadrature {
 
  private:
   using Six = std::array<SmoothNode*, 6>;
+  /// N: the load, and what extrapolation took from that of coarser divisions.
+  struct Total {
+    double load = 0, removed = 0;
+  };
 
   void sum(const Pose& X_TC, Memory& memory, int level) const;
-  void sum_anew(const Pose& X_TC, Memory& memory, LayerSum& out) const;
+  void sum_anew(const Pose& X_TC, Memory& memory) const;
   bool worth_it(const Pose& X_TC, int cell, Memory& memory) const;
-  void add_cell(const Pose& X_TC, int cell, Memory& memory, LayerSum& out) const;
-  bool add_part(const Pose& X_TC, const SmoothPart& part, Memory& memory, LayerSum& out) const;
-  bool add_torn(const Six& nodes, Memory& memory, LayerSum& out) const;
+  void add_cell(const Pose& X_TC, int cell, Memory& memory, Total& out) const;
+  bool add_part(const Pose& X_TC, const SmoothPart& part, Memory& memory, Total& out) const;
+  bool add_torn(const Six& nodes, Memory& memory, Total& out) const;
   Six nodes(const Pose& X_TC, const SmoothPart& part, int shape, Memory& memory) const;
   int shape(const SmoothPart& part, Memory& memory) const;
   static std::array<SmoothCells::Place, 6> places(const SmoothPart& part, int divisions);

@@ -68,7 +68,8 @@ struct SmoothNodes {
   std::vector<CornerHit> corners;   ///< of each corner of the cells
   std::vector<int> reached;         ///< cells with a corner that has a hit at this pose
   std::vector<std::uint64_t> seen;  ///< of each cell: the pose at which it was listed
-  std::vector<int> shape;           ///< of each part of a cell: index into `shapes`, -1: not visited
+  std::vector<int> first_part;      ///< of each cell: index into `shape` of its first part, -1: not visited
+  std::vector<int> shape;           ///< of each part: index into `shapes`, -1: not visited
   std::vector<SmoothShape> shapes;
   std::vector<SmoothPart> touching;  ///< parts with pressure
   CurvedFacets::Memory facets;

@@ -246,7 +246,7 @@ inline constexpr double kFacetOver = 0.3;
 inline constexpr int kMostFacetSteps = 12;
 
 /// [1] Most facets on the way to a line. Fails first: if too small, lines fall back to flat triangles.
-inline constexpr int kMostFacetsWalked = 40;
+inline constexpr int kMostFacetsWalked = 400;
 
 // smooth_cells
 
@@ -267,8 +267,8 @@ inline constexpr double kRidgeCosine = 0.64;
 
 // smooth_depths
 
-/// [edge] Distance before a corner at which its line begins (mean edges). Fails first: if too small, contact of rough
-/// meshes begins unseen.
+/// [edge] Distance before a corner at which its line begins (mean edges of the coarser mesh). Fails first: if too
+/// small, contact of rough meshes begins unseen.
 inline constexpr double kLayerLead = 0.5;
 
 /// [edge] Distance outside of contact from which a corner has no depth. Fails first: if too small, cells at steep edges
@@ -294,8 +294,8 @@ inline constexpr double kMinRayCosine = 0.1;
 /// the reported error is rough.
 inline constexpr int kErrorSamples = 64;
 
-/// [1] Error by the quadratic between nodes over what its middles show, or over their scatter (0.1 to 3.1 measured). Fails
-/// first: if too small, reported errors of layers are too small.
+/// [1] Error by the quadratic between nodes over what its middles show, or over their scatter (0.1 to 3.1 measured).
+/// Fails first: if too small, reported errors of layers are too small.
 inline constexpr double kInterpolationLeft = 4;
 
 /// [1] Share of a cell's middle in the integral of a function that is 0 at its six nodes (exact for cubics). Fails

@@ -197,6 +197,7 @@ std::optional<Facets::Nearest> Facets::nearest(const Vec3& x, double reach) cons
 /// needed.
 template <typename Visit, typename Enough>
 void Facets::each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit, Enough enough) const {
+  if (!origin.allFinite() || !direction.allFinite()) return;
   Cell cell = cell_of(origin);
   const auto next = [&](std::size_t i) {  // m along the ray to the cell's end in this direction
     const auto axis = static_cast<Eigen::Index>(i);
@@ -208,7 +209,7 @@ void Facets::each_crossed(const Vec3& origin, const Vec3& direction, double leng
     if (const auto here = number(cell); here && occupied_[*here])
       for (const int t : cells_.at(cell)) cross(t, origin, direction, length, visit);
     const std::size_t i = ends[0] <= ends[1] && ends[0] <= ends[2] ? 0 : ends[1] <= ends[2] ? 1 : 2;
-    if (ends[i] > length || enough(ends[i])) return;
+    if (!(ends[i] <= length) || enough(ends[i])) return;
     cell[i] += direction[static_cast<Eigen::Index>(i)] > 0 ? 1 : -1;
     ends[i] = next(i);
   }

@@ -1,10 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "genu/surface/analytic.h"
 #include "genu/surface/analytic_placed.h"
-#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
@@ -26,9 +21,7 @@ struct Plane {
   std::optional<double> gap(const Vec3& x) const { return x.z(); }
 
   Mesh start_mesh(double edge, const Vec3& centre, double reach) const {
-    // Squares with diagonals that need no split: their halves are as large as equilateral triangles of the edge.
-    const double side = kSplitRatio / std::numbers::sqrt2 * affordable_edge(edge, 4 * reach * reach);
-    const int n = std::max(3, static_cast<int>(std::ceil(2 * reach / side)));
+    const int n = grid_count(2 * reach, affordable_edge(edge, 4 * reach * reach));
     return grid_mesh({n, false}, {n, false}, [&](double s, double t) {
       return Vec3(centre.x() + reach * (2 * s - 1), centre.y() + reach * (2 * t - 1), 0);
     });
