@@ -181,7 +181,7 @@ void check_bowls(const std::string& name, const Surface& A, const Surface& B, co
     if (known.bend.norm() < 1e-9) continue;  // on a plateau every point is a minimum
     const std::vector<Descent> one{known};
     DescentLimits limits{.max_step = kLongestStep};
-    limits.known = &one;
+    limits.known = one;
     limits.same = 0.1 * kLongestStep;
     limits.bowl = 6 * kLongestStep;
     for (const Vec3& start : starts.points) {

@@ -95,22 +95,22 @@ bool in_bowl(const GapJet& jet, const Descent& known, const DescentLimits& limit
 }
 
 bool in_known_bowl(const GapJet& jet, const DescentLimits& limits) {
-  return limits.known != nullptr && is_convex(jet) &&
-         std::any_of(limits.known->begin(), limits.known->end(),
+  return limits.bowl > 0 && is_convex(jet) &&
+         std::any_of(limits.known.begin(), limits.known.end(),
                      [&](const Descent& d) { return in_bowl(jet, d, limits); });
 }
 
 /// Whether the descent ends at a known minimum, or on a plateau (plane on plane) where every point is a minimum.
 bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
-  if (limits.known == nullptr) return false;
+  if (limits.known.empty()) return false;
   const bool plateau = jet.gradient.norm() <= 1e-12 && jet.hessian.norm() * limits.same <= 1e-9;
   if (plateau) {
-    return std::any_of(limits.known->begin(), limits.known->end(),
+    return std::any_of(limits.known.begin(), limits.known.end(),
                        [&](const Descent& d) { return std::abs(d.minimum.gap - jet.value) <= 1e-9 * limits.same; });
   }
   if (!is_convex(jet) || step.norm() > limits.same) return false;
   const Vec3 end = jet.b.p + jet.b.T * step;
-  return std::any_of(limits.known->begin(), limits.known->end(), [&](const Descent& d) {
+  return std::any_of(limits.known.begin(), limits.known.end(), [&](const Descent& d) {
     return (d.minimum.contact.b.p - end).squaredNorm() < limits.same * limits.same;
   });
 }

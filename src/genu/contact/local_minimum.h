@@ -3,7 +3,7 @@
 
 #include <limits>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "genu/contact/contact_equations.h"
 
@@ -31,7 +31,7 @@ struct DescentLimits {
   double max_step = 1e-3;  ///< m: the trust region
   /// Known minima (their points of B, frame of b). A descent whose model leads to within `same` (m) of one of them
   /// ends, and one that is in the bowl of one (in_bowl) within `bowl` (m).
-  const std::vector<Descent>* known = nullptr;
+  std::span<const Descent> known = {};
   double same = 0, bowl = 0;
   /// A convex model with a minimum above this gap (m) at the start ends the descent.
   double hopeless = std::numeric_limits<double>::infinity();

@@ -293,7 +293,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     const auto i = static_cast<std::size_t>(sample);
     const bool lowest = lowest_of_neighbours(sample);
     const DescentLimits limits{.max_step = spacing_,
-                               .known = &raw_,
+                               .known = raw_,
                                .same = kMergeDistance * spacing_,
                                .bowl = kBowlFar * spacing_,
                                .hopeless = lowest ? window : kHopelessGap * spacing_,
@@ -382,14 +382,15 @@ void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, d
   const SurfacePoint &from = samples_b_ ? contact.b : contact.a, &other = samples_b_ ? contact.a : contact.b;
   const Mat2 turn = (X_qs.R * from.T).transpose() * other.T;
   const SymmetricEigen<2> bend = symmetric_eigen(Mat2(-(from.S + turn * other.S * turn.transpose())));
-  constexpr int kProbeDirections = 8;
-  const int directions = bend.values[1] > steep ? 2 : kProbeDirections;
+  const int directions = bend.values[1] > steep ? 2 : 8;
   const double first = std::atan2(bend.vectors(1, 0), bend.vectors(0, 0));
+  const Descent here{{{other, from}, 0}, true};  // where most of them end
+  const DescentLimits limits{.max_step = spacing_, .known = {&here, 1}, .same = kSamePoint * spacing_};
   for (int k = 0; k < directions; ++k) {
     const double angle = first + 2 * M_PI * k / directions;
     SurfacePoint start;
     if (!sampled_->retract(from, radius * Vec2(std::cos(angle), std::sin(angle)), start)) continue;
-    const auto descent = descend_gap(*queried_, *sampled_, X_qs, start.p, {.max_step = spacing_}, {&start, nullptr});
+    const auto descent = descend_gap(*queried_, *sampled_, X_qs, start.p, limits, {&start, nullptr});
     if (!descent || !descent->settled) continue;
     const LocalMinimum found = oriented(descent->minimum, samples_b_);
     if (edge_distance(found.contact) >= 0) insert_distinct(out, found, kSamePoint * spacing_);

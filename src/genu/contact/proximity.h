@@ -75,7 +75,8 @@ class Proximity {
   /// The local minimum nearest to `contact` at the pose X_ab; empty when it has left the known surface.
   std::optional<Descent> follow(const Pose& X_ab, const ContactGeometry& contact) const;
 
-  /// Minima reached from points around `contact` at `radius` (m): finds the second minimum of a contact about to split.
+  /// Minima beside `contact`, reached from points around it at `radius` (m): finds the second one of a contact about to
+  /// split.
   /// Where the gap's curvature exceeds `steep` (1/m) in one direction, two points in the other direction suffice:
   /// further minima of a valley lie along its bottom.
   void probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius, double steep,

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "genu/mesh/cell_lists.h"
+#include "genu/surface/blend_sum.h"
 #include "genu/surface/local_fit.h"
 
 namespace genu {
@@ -48,14 +49,15 @@ class BlendField {
   }
 
  private:
+  BlendNodes nodes() const {
+    return {records_.data(), static_cast<std::size_t>(stride_), sheet_.data(), blend_radius_};
+  }
   template <int Order>
-  bool dispatch(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const;
-  template <int D, int Order>
-  bool sum(const Vec3& x, std::span<const int> candidates, int sheet, double& f, Vec3* gradient, Mat3* hessian) const;
+  bool dispatch(const Vec3& x, BlendJet& out) const;
   template <int D>
   int across_creases(const Vec3& x, std::span<const int> candidates, int nearest) const;
   template <int D, int Order>
-  bool evaluate(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const;
+  bool evaluate(const Vec3& x, BlendJet& out) const;
   int nearest_node(const Vec3& x, std::span<const int> candidates) const;
 
   int degree_ = kMinDegree;

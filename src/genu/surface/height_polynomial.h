@@ -13,20 +13,22 @@ constexpr int kMaxCoefficients = coefficient_count(kMaxDegree);
 /// Where the coefficient of u^i v^j stands in a polynomial of total degree `degree`.
 constexpr int coefficient_index(int degree, int i, int j) { return i * (degree + 1) - i * (i - 1) / 2 + j; }
 
-struct Height {
-  double h = 0;
-  double hu = 0, hv = 0;
-  double huu = 0, huv = 0, hvv = 0;
+template <typename T>
+struct HeightOf {
+  T h{};
+  T hu{}, hv{};
+  T huu{}, huv{}, hvv{};
 };
+using Height = HeightOf<double>;
 
-/// Order 0: the value alone; 1: with the gradient; 2: with the Hessian. Members beyond the order stay zero.
-template <int D, int Order>
-inline Height evaluate_height(const double* c, double u, double v) {
-  Height s;
+/// Order 0: the value alone; 1: with the gradient; 2: with the Hessian. Members beyond the order stay zero. T is a
+/// number or a vector of numbers; s is zero at first.
+template <int D, int Order, typename T>
+[[gnu::always_inline]] inline void evaluate_height(const T* c, const T& u, const T& v, HeightOf<T>& s) {
 #pragma GCC unroll 5
   for (int i = D; i >= 0; --i) {
-    const double* row = c + coefficient_index(D, i, 0);
-    double p = row[D - i], pv = 0, pvv = 0;  // the row's polynomial in v, its first and half its second derivative
+    const T* row = c + coefficient_index(D, i, 0);
+    T p = row[D - i], pv{}, pvv{};  // the row's polynomial in v, its first and half its second derivative
 #pragma GCC unroll 5
     for (int j = D - i - 1; j >= 0; --j) {
       if constexpr (Order >= 2) pvv = pvv * v + pv;
@@ -44,8 +46,14 @@ inline Height evaluate_height(const double* c, double u, double v) {
     }
     s.h = s.h * u + p;
   }
-  s.huu *= 2;
-  s.hvv *= 2;
+  s.huu *= 2.0;
+  s.hvv *= 2.0;
+}
+
+template <int D, int Order>
+inline Height evaluate_height(const double* c, double u, double v) {
+  Height s;
+  evaluate_height<D, Order, double>(c, u, v, s);
   return s;
 }
 
