@@ -74,6 +74,18 @@ TEST(SmoothLayer, TenThousandTrianglesGiveForceAreaAndPeakWithinAThousandth) {
   }
 }
 
+TEST(SmoothLayer, CarriesNothingDeeperThanItsSearch) {
+  constexpr double kSearch = 0.5e-3;
+  const Bowl ball = sphere(25e-3);
+  const Pressed pressed = smooth(ball.surface, 2e-3, 15e-3, law_of(), kThickness, kSearch);
+  for (const double delta : {0.49e-3, 0.505e-3, 0.52e-3, 0.7e-3}) {
+    const Carried found = carried(*pressed.layer, {}, pressed_in(delta)), all = exact(ball, delta, stiffness());
+    EXPECT_LE(found.peak, kSearch * (1 + 1e-12)) << delta;
+    EXPECT_GT(found.force, 0) << delta;
+    EXPECT_LT(found.force, (delta > kSearch ? 1 : 1.001) * all.force) << delta;
+  }
+}
+
 TEST(SmoothLayer, TangentAgreesWithDifferences) {
   constexpr double kStep = 1e-7;
   double worst = 0;

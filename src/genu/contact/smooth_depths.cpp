@@ -259,8 +259,8 @@ SmoothNode& SmoothDepths::node(const Pose& X_TC, const SmoothCells::Place& place
                                                   : measure_inside(X_TC, place, line, known.triangle, memory);
     SmoothNode& node = memory.nodes.nodes[at(index)];  // corners may be new
     node.pose = memory.nodes.pose;
-    node.met = d.met;
-    if (d.met) set(d, node);
+    node.met = d.met && d.depth <= search_depth_;  // a smooth surface lies on either side of its triangles
+    if (node.met) set(d, node);
   }
   return memory.nodes.nodes[at(index)];
 }
