@@ -177,6 +177,30 @@ TEST(Evaluate, OverlapsAreNegativeGaps) {
   EXPECT_NE(found.summary.verdict.at(1).find("overlap by up to 3 mm"), std::string::npos) << found.summary.verdict[1];
 }
 
+TEST(Evaluate, SaysWhereALayerIsDeeperThanItsLawOrItsRays) {
+  const test::TemporaryFolder folder;
+  const std::string poses = folder.write(
+      "poses.csv", "knee.flexion,knee.adduction,knee.rotation,knee.x,knee.y,knee.z\n0,0,0,1,2,19.9\n0,0,0,0,0,16.08\n");
+  const auto verdict = [&](const std::string& deep) {
+    const std::string scene = test::with_first(
+        test::kBall, "model = \"rigid\"",
+        "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nquadrature = \"smooth\"\nthickness = " + deep);
+    EvaluateOptions options;
+    options.columns.units = "mm";
+    Diagnostics out;
+    Evaluation found;
+    EXPECT_EQ(evaluate_scene(folder.write("ball.toml", scene), poses, folder / "out", options, out, &found), kExitOk)
+        << messages(out);
+    std::string all;
+    for (const std::string& sentence : found.summary.verdict) all += sentence + "\n";
+    return all;
+  };
+  const std::string beyond_law = verdict("4\nsearch_depth = 10"), beyond_rays = verdict("40\nsearch_depth = 3.93");
+  EXPECT_NE(beyond_law.find("compressed by 98 % of its thickness in row 2"), std::string::npos) << beyond_law;
+  EXPECT_NE(beyond_rays.find("all of its search depth"), std::string::npos) << beyond_rays;
+  EXPECT_EQ(verdict("40").find("compressed"), std::string::npos) << verdict("40");
+}
+
 TEST(Evaluate, RoundingIsContactAndNoOverlap) {
   const test::TemporaryFolder folder;
   const std::string scene = folder.write("ball.toml", test::kBall);

@@ -143,6 +143,7 @@ SmoothDepths::Depth SmoothDepths::measure(const Pose& X_TC, const SmoothCells::N
   if (!cast(line, hint, out)) return out;
   if (thickness_.target) add_thickness(X_TC, line, out);
   if (!follow(X_TC, line, out.flat, out)) accept_flat(X_TC, line, out);
+  out.met = out.depth <= search_depth_;
   return out;
 }
 

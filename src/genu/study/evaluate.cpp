@@ -139,7 +139,7 @@ void say_status(const std::vector<PoseRecord>& records, PoseStatus status, const
                             first - records.begin() + 1, first->point.report.why));
 }
 
-void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunSummary& s) {
+void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, const ResultTable& poses, RunSummary& s) {
   s.verdict.push_back(fmt::format(
       "{} pose{} evaluated, none solved. The residual columns hold the forces missing for equilibrium ({}).",
       records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
@@ -151,6 +151,7 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
   say_status(records, PoseStatus::flawed_mesh, "the contact touches a flaw of a mesh", s.verdict);
   say_status(records, PoseStatus::overlap, "a layer overlaps deeper than its search depth and carries no load there",
              s.verdict);
+  for (std::string& sentence : layer_sentences(p.scene, p.model, poses)) s.verdict.push_back(std::move(sentence));
   say_layer_doubts(p, records, s.verdict);
   for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   if (s.given->left_out > 0)
@@ -269,7 +270,7 @@ std::optional<Evaluation> evaluate_file(const Prepared& prepared, PoseFile file,
   Evaluation found = evaluate(prepared, field, *given, options);
   found.summary.given = facts;
   found.summary.given->left_out = given->left_out;
-  add_verdict(prepared, found.records, found.summary);
+  add_verdict(prepared, found.records, found.poses, found.summary);
   return found;
 }
 
