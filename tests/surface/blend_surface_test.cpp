@@ -45,6 +45,29 @@ TEST(BlendSurface, ProjectsOntoItselfAndFollowsTangentSteps) {
   EXPECT_FALSE(surface->project(Vec3::Constant(std::nan("")), point));
 }
 
+TEST(BlendSurface, RoughStepsErByThirdOrderAndComeToTheSurface) {
+  const auto surface = build(jittered_torus(kMajor, kMinor, 1e-3), fitted(3e-3));
+  double place[2] = {0, 0}, bend[2] = {0, 0};
+  for (int k = 0; k < 100; ++k) {
+    SurfacePoint from, rough, exact;
+    ASSERT_TRUE(surface->project(torus_point(k, 1.7 * k), from));
+    for (int half = 0; half < 2; ++half) {
+      const Vec2 ds = 1e-3 / (1 << half) * Vec2(std::cos(k), std::sin(k));
+      ASSERT_TRUE(surface->retract_roughly(from, ds, rough));
+      ASSERT_TRUE(surface->retract(from, ds, exact));
+      place[half] = std::max(place[half], (rough.p - exact.p).norm());
+      bend[half] = std::max(bend[half], (tensor(rough) - tensor(exact)).norm());
+    }
+    ASSERT_TRUE(surface->retract_roughly(rough, Vec2::Zero(), rough));
+    EXPECT_LT(std::abs(surface->gap(rough.p).value()), 1e-14);
+  }
+  std::printf("place %.1e and %.1e m, shape operator %.1e and %.1e 1/m\n", place[0], place[1], bend[0], bend[1]);
+  EXPECT_LT(place[0], 1e-10);
+  EXPECT_LT(place[1], place[0] / 8);
+  EXPECT_LT(bend[0], 1);  // of 250
+  EXPECT_LT(bend[1], bend[0] / 4);
+}
+
 TEST(BlendSurface, SmoothsANoisySphere) {
   const double radius = 20e-3, noise = 15e-6;
   const auto surface = build(noisy_sphere(radius, 5, noise));

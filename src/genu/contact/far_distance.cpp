@@ -8,9 +8,6 @@
 #include <vector>
 
 #include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/detail/traversal/distance/bvh_shape_distance_traversal_node.h>
-#include <fcl/narrowphase/detail/traversal/traversal_recurse.h>
 #include <tbb/parallel_invoke.h>
 #include <Eigen/Geometry>
 
@@ -26,34 +23,49 @@ namespace {
 
 using Bvh = fcl::BVHModel<fcl::AABBd>;
 
-/// FCL's way through a tree of boxes to the triangle nearest to a point. FCL's own test of a triangle takes three times
-/// as long (it knows no points, only spheres), and its absolute 1e-15 breaks small triangles in metres.
-struct ToNearest final : fcl::detail::BVHShapeDistanceTraversalNode<fcl::AABBd, fcl::Sphered> {
-  ToNearest(const Bvh& tree, const Vec3& point) : x(point) { model1 = &tree; }
-
-  double BVTesting(int box, int /*unused*/) const override {
-    const fcl::AABBd& b = model1->getBV(box).bv;
-    return (b.min_ - x).cwiseMax(x - b.max_).cwiseMax(0.0).squaredNorm();
+/// Through FCL's tree of boxes to the triangle nearest to a point, the nearer box first. FCL's own walk takes twice as
+/// long, and its test of a triangle three times (it knows no points, only spheres); its absolute 1e-15 breaks small
+/// triangles in metres.
+class ToNearest {
+ public:
+  ToNearest(const Bvh& tree, const Vec3& point) : tree_(tree), x_(point) {
+    if (tree.num_tris > 0) walk(0, square_to(0));  // without triangles it is a tree of vertices
   }
 
-  void leafTesting(int box, int /*unused*/) const override {
-    const int t = model1->getBV(box).primitiveId();
-    const fcl::Triangle& corner = model1->tri_indices[t];
-    const Vec3* v = model1->vertices;
-    const Vec3 p = nearest_on_triangle(x, v[corner[0]], v[corner[1]], v[corner[2]]);
-    const double d = (p - x).squaredNorm();
+  double square = std::numeric_limits<double>::infinity();  ///< m^2
+  int triangle = -1;
+  Vec3 at = Vec3::Zero();
+
+ private:
+  double square_to(int box) const {
+    const fcl::AABBd& b = tree_.getBV(box).bv;
+    return (b.min_ - x_).cwiseMax(x_ - b.max_).cwiseMax(0.0).squaredNorm();
+  }
+
+  void walk(int box, double square_of_box) {
+    if (square_of_box >= square) return;
+    const auto& node = tree_.getBV(box);
+    if (node.isLeaf()) return look_at(node.primitiveId());
+    const int left = node.leftChild(), right = node.rightChild();
+    const double to_left = square_to(left), to_right = square_to(right);
+    const bool right_first = to_right < to_left;
+    walk(right_first ? right : left, right_first ? to_right : to_left);
+    walk(right_first ? left : right, right_first ? to_left : to_right);
+  }
+
+  void look_at(int t) {
+    const fcl::Triangle& corner = tree_.tri_indices[t];
+    const Vec3* v = tree_.vertices;
+    const Vec3 p = nearest_on_triangle(x_, v[corner[0]], v[corner[1]], v[corner[2]]);
+    const double d = (p - x_).squaredNorm();
     if (!(d < square)) return;
     square = d;
     triangle = t;
     at = p;
   }
 
-  bool canStop(double square_of_box) const override { return square_of_box >= square; }
-
-  Vec3 x;
-  mutable double square = std::numeric_limits<double>::infinity();  ///< m^2
-  mutable int triangle = -1;
-  mutable Vec3 at = Vec3::Zero();
+  const Bvh& tree_;
+  const Vec3& x_;
 };
 
 /// Half of what the winding number ranges over: away from the sheet it is a harmonic function, largest and smallest at
@@ -136,12 +148,6 @@ struct FarDistance::Triangles {
     bvh->endModel();
   }
 
-  ToNearest nearest_triangle(const Vec3& x) const {
-    ToNearest found(*bvh, x);
-    if (!mesh.triangles.empty()) fcl::detail::distanceRecurse<double>(&found, 0, 0, nullptr);
-    return found;
-  }
-
   /// The nearest point of a single sheet gives the side reliably. At the edge of a hole it gives none, and between
   /// pieces that intersect it may lie on the wrong piece.
   void tell_sides() {
@@ -175,7 +181,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     }
     return out;
   }
-  const ToNearest found = triangles_->nearest_triangle(x);
+  const ToNearest found(*triangles_->bvh, x);
   if (found.triangle < 0) {  // there is none
     out.distance = out.same_side = std::numeric_limits<double>::infinity();
     return out;

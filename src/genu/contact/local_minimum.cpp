@@ -5,42 +5,16 @@
 
 #include <Eigen/LU>
 
+#include "genu/contact/gap_jet.h"
 #include "genu/contact/tolerances.h"
 #include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
 
-/// A point of B, its foot on A, and the gap between them with its first two derivatives over B's tangent plane.
-struct GapJet {
-  SurfacePoint a, b;
-  double value = 0;  ///< m
-  Vec2 gradient = Vec2::Zero();
-  Mat2 hessian = Mat2::Zero();  ///< 1/m
-};
-
-/// `foot`: what A.project gives for the point of B, where that is known.
-bool evaluate_gap(const Surface& A, const Pose& X_ab, const SurfacePoint* foot, GapJet& jet) {
-  const Vec3 x = X_ab * jet.b.p;
-  if (foot != nullptr)
-    jet.a = *foot;
-  else if (!A.project(x, jet.a))
-    return false;
-  if (!closest_point(A, x, jet.a)) return false;
-  jet.value = jet.a.n.dot(x - jet.a.p);
-  const Mat32 T_b = X_ab.R * jet.b.T;
-  const double opposed = jet.a.n.dot(X_ab.R * jet.b.n);
-  jet.gradient = T_b.transpose() * jet.a.n;
-  // Hessian of the distance to A at height `value` over the foot: -S (I - value S)^-1 (for a sphere 1/(R + value)).
-  const Mat2 distance_hessian = -jet.a.S * (Mat2::Identity() - jet.value * jet.a.S).inverse();
-  const Mat2 turn = jet.a.T.transpose() * T_b;
-  jet.hessian = opposed * jet.b.S + turn.transpose() * distance_hessian * turn;
-  return jet.gradient.allFinite() && jet.hessian.allFinite();
-}
-
 /// The direction in which the gap curves down, scaled to `radius`; empty at a minimum.
 std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
-  const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
+  const SymmetricEigen<2> eigen = symmetric_eigen(jet.bend());
   if (eigen.values[0] >= -kSaddleCurvature) return std::nullopt;
   return radius * eigen.vectors.col(0);
 }
@@ -48,7 +22,7 @@ std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
 /// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted step,
 /// whose length is the radius to within 0.1 %.
 Vec2 trust_step(const GapJet& jet, double radius) {
-  const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
+  const SymmetricEigen<2> eigen = symmetric_eigen(jet.bend());
   const Vec2 g = eigen.vectors.transpose() * jet.gradient;
   const Vec2 d = eigen.values;
   auto step = [&](double shift) { return Vec2(-g.x() / (d.x() + shift), -g.y() / (d.y() + shift)); };
@@ -71,7 +45,11 @@ Vec2 trust_step(const GapJet& jet, double radius) {
   return eigen.vectors * (s.norm() <= radius ? s : step(high));
 }
 
-bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.hessian.trace() > 0; }
+/// Zero at a minimum.
+Vec2 next_step(const GapJet& jet, double radius) {
+  if (jet.gradient.norm() > kFlatGradient) return trust_step(jet, radius);
+  return way_off_a_saddle(jet, radius).value_or(Vec2::Zero());
+}
 
 /// Decrease of the gap from here to the minimum of a convex model.
 double least_of_model(const GapJet& jet) { return 0.5 * jet.gradient.dot(jet.hessian.inverse() * jet.gradient); }
@@ -95,7 +73,7 @@ bool in_bowl(const GapJet& jet, const Descent& known, const DescentLimits& limit
 }
 
 bool in_known_bowl(const GapJet& jet, const DescentLimits& limits) {
-  return limits.bowl > 0 && is_convex(jet) &&
+  return limits.bowl > 0 && jet.is_convex() &&
          std::any_of(limits.known.begin(), limits.known.end(),
                      [&](const Descent& d) { return in_bowl(jet, d, limits); });
 }
@@ -108,66 +86,100 @@ bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& li
     return std::any_of(limits.known.begin(), limits.known.end(),
                        [&](const Descent& d) { return std::abs(d.minimum.gap - jet.value) <= 1e-9 * limits.same; });
   }
-  if (!is_convex(jet) || step.norm() > limits.same) return false;
+  if (!jet.is_convex() || step.norm() > limits.same) return false;
   const Vec3 end = jet.b.p + jet.b.T * step;
   return std::any_of(limits.known.begin(), limits.known.end(), [&](const Descent& d) {
     return (d.minimum.contact.b.p - end).squaredNorm() < limits.same * limits.same;
   });
 }
 
-}  // namespace
+/// Evaluates the gap on the way of a descent: roughly at first, to rounding from its last steps on.
+class GapWalk {
+ public:
+  GapWalk(const Surface& A, const Surface& B, const Pose& X_ab, double reach)
+      : A_(A), B_(B), X_ab_(X_ab), last_(kRoughWay * reach), shallow_(kShallowOverlap * reach) {}
 
-bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
-  // The offset (I - gap S) is singular at a focal point; from a nearby foot Newton's method needs a few steps only.
-  for (int i = 0; i < kMaxFootSteps; ++i) {
-    const Vec2 offset = foot.T.transpose() * (x - foot.p);
-    const double height = foot.n.dot(x - foot.p);
-    if (offset.norm() <= 1e-14 * (1e-3 + std::abs(height))) return true;
-    const Mat2 metric = Mat2::Identity() - height * foot.S;
-    // Beyond a focal point the foot is no minimum of the distance; the plain offset still descends.
-    Vec2 step = metric.determinant() > 0.1 && metric.trace() > 0 ? Vec2(metric.inverse() * offset) : offset;
-    SurfacePoint next;
-    if (!surface.retract(foot, step, next)) return false;
-    foot = next;
-    if (step.norm() <= 1e-15) return true;
+  bool begin(const Vec3& start, const KnownStart& known, GapJet& jet) const {
+    if (known.on_b != nullptr)
+      jet.b = *known.on_b;
+    else if (!B_.project(start, jet.b))
+      return false;
+    return evaluate_gap_roughly(A_, X_ab_, known.foot, last_, jet);
   }
-  return true;
-}
+
+  bool is_rough() const { return rough_; }
+
+  /// Whether a step (m) as short as this asks for more.
+  bool turns_at(double step) const { return rough_ && step <= last_; }
+
+  /// From now on to rounding, beginning at a step from `jet`, or there if a short radius shows that steps were refused.
+  /// Not on another face of a thin body, where the gap is another one.
+  bool turn(const GapJet& jet, const Vec2& step, double radius, GapJet& next) {
+    rough_ = false;
+    return (radius > last_ && turn_at(jet, step, next)) || turn_at(jet, Vec2::Zero(), next);
+  }
+
+  bool go(const GapJet& jet, const Vec2& step, GapJet& next) const {
+    const SurfacePoint* near = follows(jet) ? &jet.a : nullptr;
+    if (!rough_) return B_.retract(jet.b, step, next.b) && evaluate_gap(A_, X_ab_, near, next);
+    return B_.retract_roughly(jet.b, step, next.b) &&
+           evaluate_gap_roughly(A_, X_ab_, near, kRoughFoot * step.norm(), next);
+  }
+
+ private:
+  /// Whether to keep to the foot in place of looking for it anew. Deep inside a thin body another one is nearer.
+  bool follows(const GapJet& jet) const { return !A_.knows_distance() && jet.value > -shallow_; }
+
+  bool turn_at(const GapJet& jet, const Vec2& step, GapJet& next) const {
+    if (!B_.retract(jet.b, step, next.b)) return false;
+    for (const SurfacePoint* near : {static_cast<const SurfacePoint*>(nullptr), &jet.a})
+      if (evaluate_gap(A_, X_ab_, near, next) && next.value <= jet.value + last_) return true;
+    return false;
+  }
+
+  const Surface &A_, &B_;
+  const Pose& X_ab_;
+  double last_, shallow_;  // m
+  bool rough_ = true;
+};
+
+}  // namespace
 
 std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pose& X_ab, const Vec3& start,
                                    const DescentLimits& limits, const KnownStart& known) {
+  GapWalk walk(A, B, X_ab, limits.max_step);
   GapJet jet;
-  if (known.on_b != nullptr)
-    jet.b = *known.on_b;
-  else if (!B.project(start, jet.b))
-    return std::nullopt;
-  if (!evaluate_gap(A, X_ab, known.foot, jet)) return std::nullopt;
+  if (!walk.begin(start, known, jet)) return std::nullopt;
   double radius = limits.max_step;
   bool settled = false;
   const Vec3 from = jet.b.p;
+  GapJet next;
   for (int i = 0; i < kMaxDescentSteps && radius > kShortestDescent; ++i) {
     if (in_known_bowl(jet, limits)) return std::nullopt;  // most starts end here
-    const bool flat = jet.gradient.norm() <= kFlatGradient;
-    const auto off_saddle = flat ? way_off_a_saddle(jet, radius) : std::nullopt;
-    if (flat && !off_saddle) {
-      if (leads_to_known(jet, Vec2::Zero(), limits)) return std::nullopt;
+    const Vec2 step = next_step(jet, radius);
+    const bool ends = step.isZero(0);
+    const double predicted = jet.gradient.dot(step) + 0.5 * step.dot(jet.hessian * step);
+    if (i == 0 && !ends && jet.is_convex() && jet.value - least_of_model(jet) > limits.hopeless) return std::nullopt;
+    if (leads_to_known(jet, step, limits)) return std::nullopt;
+    // Near the minimum, rounding hides the decrease of the gap long before the gradient vanishes.
+    const double rounding = 1e-15 * (1 + std::abs(jet.value) + jet.b.p.norm());
+    const bool hidden = std::abs(predicted) < 10 * rounding;
+    if (walk.turns_at(hidden ? 0 : std::min(radius, step.norm()))) {
+      settled = false;
+      if (!walk.turn(jet, step, radius, next)) break;
+      jet = next;
+      continue;
+    }
+    if (ends) {
       settled = true;
       break;
     }
-    const Vec2 step = off_saddle ? *off_saddle : trust_step(jet, radius);
-    const double predicted = jet.gradient.dot(step) + 0.5 * step.dot(jet.hessian * step);
-    if (i == 0 && is_convex(jet) && jet.value - least_of_model(jet) > limits.hopeless) return std::nullopt;
-    if (leads_to_known(jet, step, limits)) return std::nullopt;
-    GapJet next;
-    const bool arrived = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, nullptr, next);
-    // Near the minimum, rounding hides the decrease of the gap long before the gradient vanishes: accept a smaller
-    // gradient.
-    const double rounding = 1e-15 * (1 + std::abs(jet.value) + jet.b.p.norm());
+    const bool arrived = walk.go(jet, step, next);
     const bool lower = arrived && (jet.value - next.value >= -0.1 * predicted ||
-                                   (std::abs(predicted) < 10 * rounding && next.gradient.norm() < jet.gradient.norm()));
+                                   (hidden && next.gradient.norm() < jet.gradient.norm()));
     if (!lower) {
       radius = 0.25 * std::min(radius, step.norm());
-      settled = arrived && std::abs(predicted) < 10 * rounding;
+      settled = arrived && hidden;
       if (settled) break;
       continue;
     }
@@ -176,7 +188,12 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     if ((jet.b.p - from).squaredNorm() > limits.farthest * limits.farthest) return std::nullopt;
     settled = jet.gradient.norm() <= 1e-9;
   }
-  return Descent{{{jet.a, jet.b}, jet.value}, settled, 0.5 * (jet.hessian + jet.hessian.transpose())};
+  if (walk.is_rough()) {
+    settled = false;
+    if (!walk.turn(jet, Vec2::Zero(), 0, next)) return std::nullopt;
+    jet = next;
+  }
+  return Descent{{{jet.a, jet.b}, jet.value}, settled, jet.bend()};
 }
 
 }  // namespace genu

@@ -14,11 +14,6 @@ struct LocalMinimum {
   double gap = 0;  ///< m, along A's normal, negative where the surfaces overlap
 };
 
-/// The point of `surface` nearest to x (frame of its body), starting from the point `foot`. In contrast to
-/// Surface::project it is the closest point to rounding, where the surface's curvature allows one. False when the
-/// search leaves the surface.
-bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot);
-
 struct Descent {
   LocalMinimum minimum;
   /// The gradient vanished. False at the edge of the known surface where the gap still decreases outward.

@@ -122,6 +122,18 @@ inline constexpr double kTrustLengthTolerance = 1e-3;
 /// inexact.
 inline constexpr int kMaxFootSteps = 12;
 
+/// [longest step] Step from which a descent looks to rounding and no longer roughly. Fails first: if too small, rough
+/// gaps hide their decrease; if too large, more evaluations.
+inline constexpr double kRoughWay = 0.01;
+
+/// [step] Distance of a rough foot from the closest point. Fails first: if too large, descents are led astray; if too
+/// small, more evaluations.
+inline constexpr double kRoughFoot = 0.01;
+
+/// [radius of curvature] Distance from a foot up to which it is followed as the point moves, and not looked for anew.
+/// Fails first: if too large, another foot is nearer; if too small, more evaluations.
+inline constexpr double kSteadyFoot = 0.25;
+
 /// [1] Most steps of a descent of the gap. Fails first: if too small, long valleys yield no minimum.
 inline constexpr int kMaxDescentSteps = 60;
 

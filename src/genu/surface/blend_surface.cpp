@@ -169,13 +169,14 @@ void BlendSurface::place_nodes(const std::vector<HeightFit>& fits, const VertexG
   }
 }
 
-bool BlendSurface::project(const Vec3& x, SurfacePoint& out) const {
+/// `near`: whether x may be on the surface already, to rounding.
+bool BlendSurface::settle(const Vec3& x, bool near, SurfacePoint& out) const {
   const double radius = facts_.blend_radius, longest = kLongestBlendStep * radius;
   double f;
   Vec3 gradient;
   Mat3 hessian;
   out.p = x;
-  bool final_round = false;
+  bool final_round = near;
   for (int iteration = 0; iteration < kMaxBlendSteps; ++iteration) {
     if (!(final_round ? implicit(out.p, f, gradient, hessian) : implicit(out.p, f, gradient))) return false;
     const double square = gradient.squaredNorm();
@@ -191,6 +192,24 @@ bool BlendSurface::project(const Vec3& x, SurfacePoint& out) const {
     final_round = step < kBlendNearlySettled * radius;
   }
   return false;
+}
+
+bool BlendSurface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
+  return settle(along_geodesic(from, ds), true, out);
+}
+
+bool BlendSurface::retract_roughly(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
+  const Vec3 x = along_geodesic(from, ds);
+  double f;
+  Vec3 gradient;
+  Mat3 hessian;
+  if (!implicit(x, f, gradient, hessian)) return false;
+  const double square = gradient.squaredNorm();
+  if (!(square > kMinBlendSlope * kMinBlendSlope)) return false;
+  if (std::abs(f) > kBlendRoughly * facts_.blend_radius * std::sqrt(square)) return settle(x, false, out);
+  out.p = x - f / square * gradient;
+  set_derivatives(gradient, hessian, out);
+  return true;
 }
 
 bool BlendSurface::bending(const Vec3& x, const Vec3& t, Bending& out) const {

@@ -47,7 +47,10 @@ class BlendSurface final : public Surface {
                                                            const std::string& name, Diagnostics& diagnostics);
 
   /// Follows grad f to f = 0 by Newton's method. False outside the band.
-  bool project(const Vec3& x, SurfacePoint& out) const override;
+  bool project(const Vec3& x, SurfacePoint& out) const override { return settle(x, false, out); }
+  bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override;
+  /// One evaluation of f.
+  bool retract_roughly(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override;
   /// f/|grad f|: exact on the surface, second order off it.
   std::optional<double> gap(const Vec3& x) const override;
   bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const override;
@@ -100,6 +103,7 @@ class BlendSurface final : public Surface {
   BlendSurface() = default;
   BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, const std::vector<NodeSeed>& seeds,
                const std::vector<HeightFit>& fits);
+  bool settle(const Vec3& x, bool near, SurfacePoint& out) const;
   void place_nodes(const std::vector<HeightFit>& fits, const VertexGraph& graph);
 
   Mesh mesh_;

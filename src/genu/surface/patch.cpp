@@ -73,6 +73,9 @@ class PatchSurface final : public Surface {
   bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override {
     return whole_->retract(from, ds, out);
   }
+  bool retract_roughly(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override {
+    return whole_->retract_roughly(from, ds, out);
+  }
 
   bool bending(const Vec3& x, const Vec3& t, Bending& out) const override { return whole_->bending(x, t, out); }
   std::optional<RoundShape> round() const override { return whole_->round(); }

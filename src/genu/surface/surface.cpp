@@ -7,12 +7,19 @@
 
 namespace genu {
 
-bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
-  // A geodesic's first three derivatives: it bends along n by q, and n leans by -S ds as it goes.
+Vec3 along_geodesic(const SurfacePoint& from, const Vec2& ds) {
+  // Its first three derivatives: it bends along n by q, and n leans by -S ds as it goes.
   const Vec2 leans = from.S * ds;
   const double q = ds.dot(leans);
-  const Vec3 step = from.T * (ds - q / 6 * leans) + 0.5 * q * from.n;
-  return project(from.p + step, out);
+  return from.p + from.T * (ds - q / 6 * leans) + 0.5 * q * from.n;
+}
+
+bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
+  return project(along_geodesic(from, ds), out);
+}
+
+bool Surface::retract_roughly(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
+  return retract(from, ds, out);
 }
 
 std::optional<double> Surface::gap_and_foot(const Vec3& x, std::optional<SurfacePoint>& foot) const {

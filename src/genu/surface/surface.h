@@ -62,6 +62,10 @@ class Surface {
   /// is third order: it errs from the end of the geodesic that begins as ds, |ds| long, by the fourth power of ds.
   [[nodiscard]] virtual bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const;
 
+  /// The same for less, to see where a search leads: place, normal and curvature may err by third order in ds. Repeated
+  /// with shorter and shorter steps it comes to the surface.
+  [[nodiscard]] virtual bool retract_roughly(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const;
+
   /// Signed distance of x to the surface (m), positive on the outward side; first-order accurate near the surface
   /// (exact where the shape has a closed form). Empty where it is not known.
   [[nodiscard]] virtual std::optional<double> gap(const Vec3& x) const = 0;
@@ -115,6 +119,9 @@ class Surface {
 
 /// Diagonal (m) of the box round a bounded surface, seen with triangles of about `edge` (m).
 double box_diagonal(const Surface& surface, double edge);
+
+/// Where the geodesic from `from` that begins as ds (m) ends after |ds|, to fourth order (m).
+Vec3 along_geodesic(const SurfacePoint& from, const Vec2& ds);
 
 /// An orthonormal tangent basis for the unit normal n: the same for the same n, T.col(0) x T.col(1) = n.
 Mat32 tangent_basis(const Vec3& n);

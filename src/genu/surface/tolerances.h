@@ -105,6 +105,10 @@ inline constexpr double kBlendSettled = 1e-11;
 /// [blend radius] Step after which the next one converges. Fails first: if too large, normals lose digits.
 inline constexpr double kBlendNearlySettled = 1e-3;
 
+/// [blend radius] Distance from the surface up to which one Newton step comes near enough for a rough answer. Fails
+/// first: if too large, descents are led astray; if too small, more evaluations.
+inline constexpr double kBlendRoughly = 0.03;
+
 /// [1] Least |grad f|, which is 1 on a true distance. Fails first: if too small, projections run away at edges.
 inline constexpr double kMinBlendSlope = 0.3;
 
