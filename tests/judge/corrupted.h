@@ -25,6 +25,8 @@ class Corrupted {
   static Corrupted of(const std::string& file) {
     Diagnostics out;
     const auto prepared = prepare(file, out);
+    for (const Diagnostic& d : out.items())
+      if (d.severity == Diagnostic::Severity::error) ADD_FAILURE() << to_string(d);
     EXPECT_TRUE(prepared.has_value()) << file;
     if (!prepared) return {{}, ""};
     Solution solution;

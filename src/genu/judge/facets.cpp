@@ -231,7 +231,8 @@ void Facets::cross(int t, const Vec3& origin, const Vec3& direction, double leng
   visit(t, s, along);
 }
 
-std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direction, double length) const {
+std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direction, double length,
+                                           double* first_entered) const {
   Hit out{length, -1};
   double entered = length;
   each_crossed(
@@ -243,6 +244,7 @@ std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direc
           out = {s, t};
       },
       [&](double walked) { return std::min(entered, out.distance) < walked; });
+  if (first_entered != nullptr) *first_entered = entered;
   return out.triangle < 0 || entered < out.distance ? std::nullopt : std::optional(out);
 }
 

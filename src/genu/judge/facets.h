@@ -36,12 +36,13 @@ class Facets {
   std::optional<Nearest> nearest(const Vec3& x, double reach) const;
 
   /// The first triangle that a ray leaves (outward normal along the ray) within `length`: distance (m). Empty also
-  /// where the ray enters the surface before: it starts outside and passes through.
+  /// where the ray enters the surface before: it starts outside and passes through. `entered` receives how far away
+  /// that is, `length` or more where it is not known to.
   struct Hit {
     double distance = 0;
     int triangle = -1;
   };
-  std::optional<Hit> leaving(const Vec3& origin, const Vec3& direction, double length) const;
+  std::optional<Hit> leaving(const Vec3& origin, const Vec3& direction, double length, double* entered = nullptr) const;
 
   /// Whether a ray enters the surface (outward normal against the ray) within `length`.
   bool enters(const Vec3& origin, const Vec3& direction, double length) const;

@@ -26,7 +26,7 @@ void each_triangle(const Facets& facets, int fine, Clear clear, Add add) {
         const double third = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
         const int column = j / 2;
         const Vec3 p = o + ((i + third) * one + (column + third) * two) / fine;
-        add(p, area / size, size / (fine * fine), std::sqrt(2 * size) / fine);
+        add(t, p, size / (fine * fine), std::sqrt(2 * size) / fine);
       }
   }
 }
@@ -59,8 +59,25 @@ Rim::Part LayerCasts::part_of(const Side& other, const Vec3& x, const Vec3& n, d
   return carries ? part : Rim::Part();
 }
 
+/// The same where the other surface is of bent facets: the ray begins where it is inside of them for certain. In a part
+/// of the body too thin for that it begins at x.
+double LayerCasts::depth_under_bent(const Side& other, const Vec3& x, const Vec3& n, double most) {
+  const double before = other.bent->most();
+  double ahead = before, entered = 0;
+  auto hit = other.facets->leaving(x + ahead * n, -n, most + ahead + before, &entered);
+  if (!hit && entered < before) hit = other.facets->leaving(x, -n, most + before), ahead = 0;
+  if (!hit) return 0;
+  const Vec3 there = x + (ahead - hit->distance) * n;
+  const BentFacets::Point point = other.bent->over(hit->triangle, there);
+  const double steep = -n.dot(point.n);
+  if (!(steep > kGrazingRay) || !other.facets->in_patch(there)) return 0;
+  const double depth = hit->distance - ahead + point.off.dot(point.n) / steep;
+  return depth <= most ? std::max(depth, 0.0) : 0;
+}
+
 /// m: depth of overlap along the inward normal of a surface to the other; 0 without overlap.
 double LayerCasts::depth_of(const Side& other, const Vec3& x, const Vec3& n, double most) const {
+  if (bent_of(other) != nullptr) return depth_under_bent(other, x, n, most);
   if (other.facets) {
     const auto hit = other.facets->leaving(x, -n, most);
     return hit && other.facets->in_patch(x - hit->distance * n) ? hit->distance : 0;
@@ -118,6 +135,9 @@ std::vector<Resultant> LayerCasts::cast_all(int from, int to, int fine, double r
   const bool exact =
       casting.facets && other.facets && layer_.quadrature == LayerDef::Quadrature::triangles && raised == 0;
   std::vector<Resultant> sums(1 + layer_.pair.regions.size());
+  const BentFacets *bent_casting = bent_of(casting), *bent_other = bent_of(other);
+  const double bent =
+      (bent_casting != nullptr ? bent_casting->most() : 0) + (bent_other != nullptr ? bent_other->most() : 0);
   const auto add = [&](const Vec3& on_surface, const Vec3& n, double area, double side) {
     const Vec3 p = on_surface + raised * n;
     const auto [share, depth] = part_of(other, X_oc * p, X_oc.R * n, area, most);
@@ -143,16 +163,20 @@ std::vector<Resultant> LayerCasts::cast_all(int from, int to, int fine, double r
           // The ball round the rays, and round what counts of the border before them (rim.h).
           const double half = 0.5 * (most + kBorderDepth * radius);
           const Vec3 between = middle - (0.5 * (most - kBorderDepth * radius) - raised) * n;
-          return other.facets && other.facets->beyond(X_oc * between, half + 2 * radius);
+          return other.facets && other.facets->beyond(X_oc * between, half + 2 * radius + bent);
         },
-        add);
+        [&](int triangle, const Vec3& p, double area, double side) {
+          if (bent_casting == nullptr) return add(p, casting.facets->area(triangle).normalized(), area, side);
+          const BentFacets::Point over = bent_casting->over(triangle, p);
+          add(p + over.off, over.n, area, side);
+        });
   } else {
     each_sample(
         from, fine,
         [&](const Sample& s) {
           const Vec3 p = X_oc * s.p;
           const double reach = 2 * s.side + std::abs(raised);
-          return other.facets ? other.facets->beyond(p, most + reach)
+          return other.facets ? other.facets->beyond(p, most + reach + bent)
                               : other.shape->value(p) > other.shape->steepness(p) * reach;
         },
         add);

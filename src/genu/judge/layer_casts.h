@@ -74,8 +74,13 @@ class LayerCasts {
   const Resultant& cast(const RegionDef* region, int from, int to, int fine, double raised = 0) const;
 
  private:
+  /// Null where triangles are summed as they are.
+  const BentFacets* bent_of(const Side& side) const {
+    return layer_.quadrature == LayerDef::Quadrature::smooth ? side.bent.get() : nullptr;
+  }
   Rim::Part part_of(const Side& other, const Vec3& x, const Vec3& n, double area, double most) const;
   double depth_of(const Side& other, const Vec3& x, const Vec3& n, double most) const;
+  static double depth_under_bent(const Side& other, const Vec3& x, const Vec3& n, double most);
   std::vector<Resultant> cast_all(int from, int to, int fine, double raised) const;
   bool lies_on_border(const RegionDef& region, const Vec3& x) const;
   template <typename Clear, typename Add>

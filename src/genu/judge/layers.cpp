@@ -97,15 +97,20 @@ class JudgedLayer {
     return out;
   }
 
+  /// By that or up to 1.4 times as much, so that a layer and its regions share sums.
   Resultant raised(const Ways& ways, double by) const {
+    if (by > 0) by = std::exp2(0.5 * std::ceil(2 * std::log2(by)));
     Resultant out;
-    for (const auto& [from, to] : ways)
-      out.join(casts_.cast(region_, from, to, 2, by), 1.0 / static_cast<double>(ways.size()));
+    for (const auto& [from, to] : ways) {
+      const Resultant& some = casts_.cast(region_, from, to, 1, by);
+      const bool enough = some.points >= kRaisedSamples || some.points == 0;
+      out.join(enough ? some : casts_.cast(region_, from, to, 2, by), 1.0 / static_cast<double>(ways.size()));
+    }
     return out;
   }
 
-  /// m, both together: largest distance of the smooth surfaces of meshes from their triangles where contact is deepest,
-  /// or where it would begin; half of the bounds, as for overlap.
+  /// m, both together: how far the smooth surfaces of meshes may be from the judge's where contact is deepest, or where
+  /// it would begin; of facets that are not bent half of the bounds, as for overlap.
   double beside_facets(const Ways& ways, const Resultant& sum) const {
     double edge = 0, out = 0;
     for (const int surface : {layer_.pair.surface_a, layer_.pair.surface_b})
@@ -117,9 +122,29 @@ class JudgedLayer {
       const auto& facets = pose_.subject->sides[at(surface)].facets;
       if (!facets) continue;
       const Vec3 there = pose_.poses[at(scene_.surfaces[at(surface)].body)].inverse() * x;
-      out += 0.5 * facets->lean(there, kLeanReach * facets->edge()).distance;
+      const auto& bent = pose_.subject->sides[at(surface)].bent;
+      out += bent && layer_.quadrature == LayerDef::Quadrature::smooth
+                 ? bent->doubt(there, kLeanReach * facets->edge())
+                 : 0.5 * facets->lean(there, kLeanReach * facets->edge()).distance;
     }
     return out;
+  }
+
+  struct Row {
+    double load = 0, area = 0, most = 0;  ///< N, m^2, Pa
+  };
+  /// What a row of samples across the whole contact, the solver's or the judge's, may carry where the border of a
+  /// region passes through the contact or beside it.
+  Row row_at_border(const Ways& ways, const Resultant& region) const {
+    if (region_ == nullptr || (region.points > 0 && !(region.outside > 0))) return {};
+    Resultant whole;
+    for (const auto& [from, to] : ways)
+      whole.join(casts_.cast(nullptr, from, to, 2), 1.0 / static_cast<double>(ways.size()));
+    const bool near = region.points > 0 || raised(ways, kNearlyTouching * whole.side).points > 0;
+    if (!near || !(whole.points > 0)) return {};
+    const double samples = std::min(whole.fineness(), pose_.row(layer_.pair.name + ".points"));
+    const double share = 2 / std::sqrt(std::max(1.0, samples));
+    return {share * whole.load, share * whole.area, share * whole.most};
   }
 
   /// The judge's own integrals with error bounds: by sampling, from twice as many samples; by using one surface for
@@ -154,10 +179,8 @@ class JudgedLayer {
     const double asked = layer_.tolerance * std::max(1.0, least / std::max(fine.load, kMinLoadShare * least));
     const double share = same ? 1e-7 : (smooth_mesh || triangles ? kFacetLoadError : 1e-3) + asked;
     const double n = fine.fineness();
-    // A region's border through the contact: a row of samples, the solver's or the judge's, may lie on either side.
-    const double cut =
-        n > 0 && fine.outside > 0 && !same ? 2 / std::sqrt(std::max(1.0, std::min(n, written.points))) : 0;
-    const double sampled = same || !(n > 0) ? 0 : kBorderSamples / n + cut;
+    const Row row = same ? Row() : row_at_border(ways, fine);
+    const double sampled = same || !(n > 0) ? 0 : kBorderSamples / n;
     const double border = same || !(n > 0) ? 0 : 2 / std::sqrt(n);  // half a row of samples around the border
     // Contact missed between few samples, as an increase in depth.
     const double missed = same ? 0 : kMissedDepth * layer_.thickness / (100 + n);
@@ -167,7 +190,11 @@ class JudgedLayer {
       return sum.spread([&](const Resultant& one, const Resultant& other) { return what(one, other); });
     };
     const double off = between([](auto& p, auto& q) { return (p.force - q.force).norm(); }) +
-                       (share + sampled + unilateral_stiffness) * fine.load + std::max(0.0, more.load - fine.load);
+                       (share + sampled + unilateral_stiffness) * fine.load + row.load +
+                       std::max(0.0, more.load - fine.load);
+    if (fine.load > least && off > kSaysLittle * fine.load)
+      pose_.out->skip("pressure of " + name +
+                      ", but for gross errors: its triangles are too coarse for so small a contact");
     const double size = pose_.subject->size;
     pose_.out->expect("layer forces", "N", (written.force - fine.force).norm(), off + 1e-9, name);
     const Vec3 centre = fine.load > 0 ? Vec3(fine.force.cross(fine.moment) / fine.force.squaredNorm()) : Vec3::Zero();
@@ -179,10 +206,10 @@ class JudgedLayer {
                       name);
     const double relative = same ? 1e-7 : 3 * (share + sampled + unilateral_stiffness);
     const double area_off = 2 * between([](auto& p, auto& q) { return std::abs(p.area - q.area); }) +
-                            (relative + border) * fine.area + std::max(0.0, more.area - fine.area) + 1e-12;
+                            (relative + border) * fine.area + row.area + std::max(0.0, more.area - fine.area) + 1e-12;
     pose_.out->expect("layer areas", "mm^2", 1e6 * std::abs(written.area - fine.area), 1e6 * area_off, name);
     const double most_off = 2 * between([](auto& p, auto& q) { return std::abs(p.most - q.most); }) +
-                            relative * fine.most + std::max(0.0, more.most - fine.most) + 1e-3;
+                            relative * fine.most + row.most + std::max(0.0, more.most - fine.most) + 1e-3;
     const double own_side = !triangles && ways.size() == 1 ? 0.25 * fine.depth : 0;  // the other half lies deeper
     const double moved_centre = own_side + between([](auto& p, auto& q) { return (p.mean() - q.mean()).norm(); });
     judge_rest(name, written, fine, same, off, most_off, moved_centre);

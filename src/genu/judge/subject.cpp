@@ -52,6 +52,18 @@ bool read_meshes(const Scene& scene, std::vector<Side>& sides, Diagnostics& out)
   return good;
 }
 
+/// The smooth surfaces that layers are between.
+void bend_facets(const Scene& scene, std::vector<Side>& sides) {
+  for (const LayerDef& layer : scene.layers) {
+    if (layer.quadrature == LayerDef::Quadrature::triangles) continue;
+    for (const int surface : {layer.pair.surface_a, layer.pair.surface_b}) {
+      Side& side = sides[at(surface)];
+      if (!side.facets || side.bent) continue;
+      side.bent = std::make_shared<const BentFacets>(*side.facets, scene.surfaces[at(surface)].fit_radius.value_or(0));
+    }
+  }
+}
+
 /// N: moments divided by `size` (m); without the scale.
 double largest_force(const LoadDef& load, double size) {
   switch (load.kind) {
@@ -125,6 +137,7 @@ std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Dia
   made->scene = scene;  // the pointers below refer to this copy
   const Scene& s = made->scene;
   bool good = read_meshes(s, made->sides, out);
+  bend_facets(s, made->sides);
   const std::vector<Pose> reference = poses_at(s, reference_coordinates(s));
   for (const LigamentDef& l : s.ligaments) made->laws.emplace_back(l, length_of(path_of(l, reference)));
   for (const BodyDef& body : s.bodies) {

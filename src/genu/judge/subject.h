@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
+#include "genu/judge/bent_facets.h"
 #include "genu/judge/facets.h"
 #include "genu/judge/joints.h"
 #include "genu/judge/shape.h"
@@ -17,9 +18,10 @@ namespace genu::judge {
 
 /// A surface: a closed form or triangles.
 struct Side {
-  int index = -1;                        ///< in Scene::surfaces
-  std::shared_ptr<const Facets> facets;  ///< null for a closed form
-  std::optional<Shape> shape;            ///< empty for a mesh
+  int index = -1;                          ///< in Scene::surfaces
+  std::shared_ptr<const Facets> facets;    ///< null for a closed form
+  std::shared_ptr<const BentFacets> bent;  ///< of a mesh in a layer between smooth surfaces
+  std::optional<Shape> shape;              ///< empty for a mesh
 };
 
 struct Mass {

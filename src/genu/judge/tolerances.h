@@ -88,11 +88,45 @@ inline constexpr double kDifferenceTurn = 0.02;
 /// differs from the solver, deep layers are rejected.
 inline constexpr double kTangentFrom = 0.95;
 
+/// [edge] Vertices this near count for the quadric at a vertex. Fails first: if too small, noise bends facets; if too
+/// large, quadrics miss the surface.
+inline constexpr double kQuadricReach = 2.2;
+
+/// [edge] The same of quadrics that show what another fit could make of noise. Fails first: if too small, fits of noisy
+/// meshes are rejected; if too large, shapes count as noise.
+inline constexpr double kWideQuadricReach = 6;
+
+/// [fit radius] The same where a fit radius is given. Fails first: if too small, the doubt of a fit vanishes.
+inline constexpr double kWiderFit = 1.5;
+
+/// [1] Cosine between the normals of a triangle and of its corner (35 deg) below which the corner is on a crease. Fails
+/// first: if too small, creases are rounded; if too large, coarse round shapes are not.
+inline constexpr double kCreaseCosine = 0.82;
+
+/// [1] Vertices that a quadric is fitted to at least. Fails first: if too small, fits at the rim are wild.
+inline constexpr std::size_t kEnoughForQuadric = 10;
+
+/// [edge] Distance of bent facets from triangles up to which a ray begins inside of them. Fails first: if too large,
+/// it begins behind another part of the body.
+inline constexpr double kMostBend = 0.15;
+
+/// [1] Cosine between a ray and a normal below which it does not meet the surface. Fails first: if too small, depths at
+/// grazing rays are wild.
+inline constexpr double kGrazingRay = 0.2;
+
+/// [load] Tolerance of a layer's force from which a comparison says nothing. Fails first: if too large, wrong tables
+/// pass as judged.
+inline constexpr double kSaysLittle = 0.5;
+
 /// [1] Samples in contact that a sum needs. Fails first: if too small, sums scatter.
 inline constexpr double kEnoughSamples = 1000;
 
 /// [1] Finest refinement for it. Fails first: if too small, small contacts are judged by few samples.
 inline constexpr int kFinestSampling = 4;
+
+/// [1] Samples in contact that the sum of a raised layer needs, which is part of a tolerance. Fails first: if too
+/// small, tolerances scatter.
+inline constexpr double kRaisedSamples = 100;
 
 /// [edge] How far a layer is raised to find where contact would begin. Fails first: if too small, no place is found.
 inline constexpr double kNearlyTouching = 0.25;
