@@ -3,6 +3,8 @@
 #include "genu/model/twist.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace genu {
 namespace {
@@ -15,11 +17,11 @@ class Sum {
     totals_.force += load * n_on_b;
     totals_.moment += x.cross(Vec3(load * n_on_b));
     totals_.area += share * point.area;
+    totals_.centre += load * x;
+    load_ += load;
     totals_.max_pressure = std::max(totals_.max_pressure, point.pressure);
     totals_.max_depth = std::max(totals_.max_depth, point.depth);
     totals_.most_used = std::max(totals_.most_used, point.used);
-    totals_.centre += load * x;
-    load_ += load;
     ++totals_.points;
   }
 
@@ -39,6 +41,24 @@ class Sum {
   double load_ = 0;
 };
 
+/// The share of a region in what a node of a smooth layer carries, which is spread as widely as its area is: from 1 to
+/// 0 across a border, so that regions that meet there have all of it together. A triangle belongs to the region that
+/// its centre is in.
+double share_of(const RegionDef& region, const Vec3& x, double width) {
+  if (!(width > 0)) return region.contains(x) ? 1 : 0;
+  constexpr double kWithoutLimit = std::numeric_limits<double>::infinity();
+  Vec3 low = Vec3::Constant(-kWithoutLimit), high = Vec3::Constant(kWithoutLimit);
+  for (const RegionDef::Condition& c : region.conditions) {
+    const bool above =
+        c.comparison == RegionDef::Comparison::greater || c.comparison == RegionDef::Comparison::greater_equal;
+    (above ? low : high)[c.axis] = above ? std::max(low[c.axis], c.value) : std::min(high[c.axis], c.value);
+  }
+  const auto beyond = [&](double inside) { return std::clamp(0.5 + 0.5 * inside / width, 0.0, 1.0); };
+  double share = 1;
+  for (Eigen::Index i = 0; i < 3; ++i) share *= std::max(0.0, beyond(x[i] - low[i]) + beyond(high[i] - x[i]) - 1);
+  return share;
+}
+
 }  // namespace
 
 LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& regions, const State& state, int layer,
@@ -48,6 +68,7 @@ LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& 
   if (twist != nullptr) twists << twist_of_body(model, l.body_a, *twist), twist_of_body(model, l.body_b, *twist);
   const Pose &X_Wa = state.poses[at(l.body_a)], &X_Wb = state.poses[at(l.body_b)];
   const Pose X_ba = X_Wb.inverse() * X_Wa;
+  const bool smooth = l.tolerance > 0;
   Sum total;
   std::vector<Sum> parts(regions.size());
   for (std::size_t i = 0; i < l.layer->sides().size(); ++i) {
@@ -58,8 +79,10 @@ LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& 
           const Vec3 x = side.a ? X_ba * point.x : point.x;
           const Vec3 n_on_b = side.a ? Vec3(X_ba.R * point.n) : Vec3(-point.n);
           total.add(point, side.share, x, n_on_b);
+          const double width = smooth ? std::sqrt(std::abs(point.area)) : 0;
           for (std::size_t r = 0; r < regions.size(); ++r)
-            if (regions[r].contains(x)) parts[r].add(point, side.share, x, n_on_b);
+            if (const double share = share_of(regions[r], x, width); share > 0)
+              parts[r].add(point, share * side.share, x, n_on_b);
         },
         state.layer_level(at(layer)), twist != nullptr ? &twists : nullptr);
   }
