@@ -136,6 +136,32 @@ std::vector<PoseRecord> records_at(const Prepared& p, const std::vector<double>&
   return records;
 }
 
+/// A ball of 20 mm that is pressed 6.3 mm wide has its tolerance; one of 1e12 MPa, pressed 6 um wide, cannot have it.
+TEST(LayerDoubts, ContactSmallerThanTriangles) {
+  const auto said = [](const std::string& modulus, double depth) {
+    const test::TemporaryFolder folder;
+    Diagnostics out;
+    const auto p = prepare(
+        folder.write("scene.toml",
+                     test::bone_on_ground("{ z = 0 }") + test::surface("ball", "bone", "sphere", "radius = 20") +
+                         test::surface("floor", "ground", "plane", "patch = { x = [-9, 9], y = [-9, 9] }") +
+                         "[contact.foot]\nsurfaces = [\"ball\", \"floor\"]\nmodel = \"cartilage\"\n"
+                         "thickness = 4\npoisson = 0.4\nmodulus = " +
+                         modulus + "\n" + test::step("")),
+        out);
+    EXPECT_TRUE(p) << test::messages(out);
+    auto records = records_at(*p, {20e-3 - depth});
+    records[0].point.pose.state.layer_levels = {p->model.layers[0].most_level};
+    return tolerance_doubts(*p, records);
+  };
+  EXPECT_TRUE(said("5", 1e-3).empty());
+  const auto narrow = said("1e12", 1e-9);
+  ASSERT_EQ(narrow.size(), 1u);
+  EXPECT_NE(narrow[0].find("The force of the layer of foot misses its tolerance of 1e-04 in row 1: it may err by"),
+            std::string::npos)
+      << narrow[0];
+}
+
 /// A ball of 20 mm, 1 mm deep in what is under it: pressed 6.3 mm wide.
 TEST(LayerDoubts, ContactAtTheRimOfAPatch) {
   const std::string ball = test::bone_on_ground("{ z = 0 }") + test::surface("ball", "bone", "sphere", "radius = 20");

@@ -356,7 +356,7 @@ async function layout(browser) {
     assert.equal(await inside(".view"), 1, `${name}: the picture`);
     assert.equal(await inside(".track input[type=range]"), 1, `${name}: the slider`);
     assert.ok((await inside(".plot")) >= 2, `${name}: two plots`);
-    if (name === "moment") assert.match(await page.evaluate('document.querySelector(".notes summary").textContent'), /^7 remarks: /);
+    if (name === "moment") assert.match(await page.evaluate('document.querySelector(".notes summary").textContent'), /^4 remarks: /);
     const light = await page.evaluate("getComputedStyle(document.body.parentElement).backgroundColor");
     await page.dark();
     const dark = await page.evaluate("getComputedStyle(document.body.parentElement).backgroundColor");

@@ -8,6 +8,7 @@
 #include "genu/appraise/tolerances.h"
 #include "genu/contact/elastic_layer.h"
 #include "genu/core/units.h"
+#include "genu/model/layer_levels.h"
 
 namespace genu {
 namespace {
@@ -246,6 +247,32 @@ std::vector<std::string> footing_doubts(const Prepared& prepared, const std::vec
           "The contact of {} loads cartilage without bone under it, whose thickness is extrapolated, in {}: {:.3g} of "
           "{:.3g} N in row {}.",
           layer.name, guessed.text(), guessed.most, guessed.of, guessed.worst));
+  }
+  return out;
+}
+
+std::vector<std::string> tolerance_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records) {
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < prepared.model.layers.size(); ++k) {
+    const JointModel::Layer& layer = prepared.model.layers[k];
+    if (!(layer.tolerance > 0)) continue;
+    Rows missed;
+    ElasticLayer::Memory memory;
+    LayerWrench pressed;
+    const std::size_t stride = 1 + (records.empty() ? 0 : (records.size() - 1) / kMaxDoubtRows);
+    for (std::size_t row = 0; row < records.size(); row += stride) {
+      const State& state = records[row].point.pose.state;
+      if (state.poses.empty() || state.layer_level(k) < layer.most_level) continue;
+      layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], memory, pressed,
+                            layer.most_level, nullptr);
+      const double allowed = allowed_error(prepared.model, k, pressed.load);
+      if (pressed.error > kMissedTolerance * allowed) missed.add(row + 1, pressed.error, allowed / layer.tolerance);
+    }
+    if (!missed.rows.empty())
+      out.push_back(fmt::format(
+          "The force of the layer of {} misses its tolerance of {:.0e} in {}: it may err by {:.2g} % in row "
+          "{}. Its triangles are too coarse for so small a contact area. Use finer meshes.",
+          layer.name, layer.tolerance, missed.text(), 100 * missed.most / missed.of, missed.worst));
   }
   return out;
 }

@@ -1,5 +1,6 @@
 // What the geometry of a layer gives reason to doubt: surfaces that face the same way, surfaces that have gone through
-// a shell, contact that runs over a surface's rim, and thickness that nobody has measured.
+// a shell, contact that runs over a surface's rim, thickness that nobody has measured, and contact smaller than
+// triangles.
 #pragma once
 
 #include <string>
@@ -21,5 +22,8 @@ std::vector<std::string> passed_doubts(const Prepared& prepared, const std::vect
 /// A sentence for each surface at whose rim a layer is under pressure, which ends there because the surface does, and
 /// for each layer that presses on cartilage whose thickness was filled in, with the rows of `records` (from 1).
 std::vector<std::string> footing_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records);
+
+/// A sentence for each layer whose force misses its tolerance at the finest quadrature, with the rows of `records`.
+std::vector<std::string> tolerance_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records);
 
 }  // namespace genu

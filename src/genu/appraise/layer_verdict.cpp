@@ -115,6 +115,7 @@ void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& r
   states.erase(states.begin());  // where the search starts bodies may lie anyhow
   for (std::string& sentence : passed_doubts(prepared, states)) out.push_back(std::move(sentence));
   for (std::string& sentence : footing_doubts(prepared, records)) out.push_back(std::move(sentence));
+  for (std::string& sentence : tolerance_doubts(prepared, records)) out.push_back(std::move(sentence));
 }
 
 }  // namespace genu

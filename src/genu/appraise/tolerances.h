@@ -65,6 +65,10 @@ inline constexpr std::size_t kMaxDoubtRows = 200;
 /// [1] Share of peak pressure or load that is reported. Fails first: if too small, warnings about nothing.
 inline constexpr double kReportedShare = 0.01;
 
+/// [tolerance] Error of a layer's force that is reported. Fails first: if too small, estimates just above their limit
+/// are.
+inline constexpr double kMissedTolerance = 2;
+
 // implausible
 
 /// [1] Factor of a load that can only pull, in the last pose of a path that ended, over its largest: below this it is
@@ -137,6 +141,10 @@ inline constexpr double kFewLayerTriangles = 50;
 inline constexpr double kNearSearchDepth = 0.95;
 
 // verdict
+
+/// [step] Distance of a limit point from the change of stability there. Fails first: if too small, rounding tells them
+/// apart and both are said.
+inline constexpr double kLimitAndChange = 1e-9;
 
 /// [reach] Distance to a mesh flaw, over its reach, within which contact touches it. Fails first: if too small, contact
 /// on a flaw is not reported.

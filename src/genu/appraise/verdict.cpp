@@ -359,7 +359,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
       out.push_back(fmt::format("At {} the force of a ligament drops and the joint jumps: {}.",
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter) say_flutter(prepared, e, out);
-    const bool listed = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point && (&e - 1)->t == e.t;
+    const bool listed = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point &&
+                        std::abs((&e - 1)->t - e.t) <= kLimitAndChange;
     if (e.kind == PathEvent::Kind::stability_changed && !listed)
       changes.add(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)), out);
     if (e.kind == PathEvent::Kind::over_edge)
