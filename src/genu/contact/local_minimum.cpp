@@ -115,8 +115,8 @@ class GapWalk {
   /// From now on to rounding, beginning at a step from `jet`, or there if a short radius shows that steps were refused.
   /// Not on another face of a thin body, where the gap is another one.
   bool turn(const GapJet& jet, const Vec2& step, double radius, GapJet& next) {
-    rough_ = false;
-    return (radius > last_ && turn_at(jet, step, next)) || turn_at(jet, Vec2::Zero(), next);
+    rough_ = !((radius > last_ && turn_at(jet, step, next)) || turn_at(jet, Vec2::Zero(), next));
+    return !rough_;
   }
 
   bool go(const GapJet& jet, const Vec2& step, GapJet& next) const {
