@@ -187,6 +187,8 @@ TEST(ReadContacts, LayerRefused) {
   refused("poisson = 0.45", "poisson = @-0.1", "poisson", "-0.1", "must be >= 0");
   refused("thickness = 6", "thickness = @0", "thickness", "0", "must be > 0 mm");
   refused("search_depth = 4", "search_depth = @-1", "search_depth", "-1", "must be > 0 mm");
+  refused("search_depth = 4", "search_depth = @1e-6", "search_depth", "1e-06",
+          "must be at least a thousandth of the thickness");
   refused("search_depth = 4", "search_depth = 4\n@damping = 2", "damping", "2", "only in a scene with [dynamics]");
   refused("\"floor\"", "@\"flour\"", "cast_from", "\"flour\"", "unknown surface");
   refused("\"logarithmic\"", "@\"log\"", "law", "\"log\"", "must be one of");

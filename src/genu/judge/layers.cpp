@@ -192,9 +192,8 @@ class JudgedLayer {
     const double off = between([](auto& p, auto& q) { return (p.force - q.force).norm(); }) +
                        (share + sampled + unilateral_stiffness) * fine.load + row.load +
                        std::max(0.0, more.load - fine.load);
-    if (fine.load > least && off > kSaysLittle * fine.load)
-      pose_.out->skip("pressure of " + name +
-                      ", but for gross errors: its triangles are too coarse for so small a contact");
+    if (const double most = std::max(fine.load, written.force.norm()); most > least && off > kSaysLittle * most)
+      pose_.out->skip("pressure of " + name + ", but for gross errors: too few samples and triangles for its contact");
     const double size = pose_.subject->size;
     pose_.out->expect("layer forces", "N", (written.force - fine.force).norm(), off + 1e-9, name);
     const Vec3 centre = fine.load > 0 ? Vec3(fine.force.cross(fine.moment) / fine.force.squaredNorm()) : Vec3::Zero();

@@ -78,6 +78,9 @@ void read_layer_thickness(ReadContext& context, Section& section, LayerDef& laye
   if (!depth) return;
   layer.search_depth = read_number(context, depth, length).value_or(0);
   if (layer.search_depth > kMaxSearchDepth) refuse(context, depth, Code::out_of_range, "must be at most 1 m");
+  constexpr double kLeastShare = 1e-3;  // of the thickness: a shorter reach finds no contact that could carry anything
+  if (layer.search_depth > 0 && layer.search_depth < kLeastShare * layer.thickness)
+    refuse(context, depth, Code::out_of_range, "must be at least a thousandth of the thickness");
 }
 
 void check_thickness_used(ReadContext& context) {
