@@ -14,12 +14,12 @@ constexpr double kWithoutLimit = std::numeric_limits<double>::infinity();
 /// Sums before division by area or force.
 class Sum {
  public:
-  /// `x`: where it counts for the centre.
   void add(const LayerPoint& point, double share, const Vec3& x, const Vec3& n_on_b) {
     add_load(point.load, point.area, share, x, x, n_on_b);
     add_point(point);
   }
 
+  /// `inside`: where it counts for the centre.
   void add_load(double whole_load, double area, double share, const Vec3& x, const Vec3& inside, const Vec3& n_on_b) {
     const double load = share * whole_load;
     totals_.force += load * n_on_b;
@@ -47,12 +47,13 @@ class Sum {
   }
 
   LayerTotals take(const Pose& X_ab, const Vec3& own_a, const Vec3& own_b) {
-    if (!(load_ > 0) || totals_.points == 0) return {};
-    const Vec3 centre = totals_.centre / load_;
-    totals_.mean_pressure = load_ / totals_.area;
-    totals_.centre = centre - own_b;
-    totals_.centre_a = X_ab * centre - own_a;
-    totals_.moment -= own_b.cross(totals_.force);
+    if (load_ > 0) {
+      const Vec3 centre = totals_.centre / load_;
+      totals_.mean_pressure = load_ / totals_.area;
+      totals_.centre = centre - own_b;
+      totals_.centre_a = X_ab * centre - own_a;
+      totals_.moment -= own_b.cross(totals_.force);
+    }
     return totals_;
   }
 
