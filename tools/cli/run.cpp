@@ -3,7 +3,6 @@
 //   2. solve pose after pose
 //   3. write results.csv, events.csv, curves.svg, report.html, summary.json; print a short table and the verdict
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -30,41 +29,10 @@
 #include "genu/study/run_scene.h"
 #include "print_error.h"
 #include "progress.h"
+#include "shown_columns.h"
 
 namespace genu::cli {
 namespace {
-
-/// The columns a reader looks at first: the joint's coordinates, the force of every pair and region, stability.
-std::vector<std::string> columns_of_run(const ResultTable& table) {
-  std::vector<std::string> columns;
-  const auto ends_with = [](const std::string& s, const std::string& end) {
-    return s.size() >= end.size() && s.compare(s.size() - end.size(), end.size(), end) == 0;
-  };
-  constexpr std::size_t kMost = 11;
-  const bool motion = table.has_column("energy.balance_J");
-  const std::size_t first = motion ? table.column_index("time_s") : table.column_index("status") + 1;
-  for (std::size_t c = first; c < table.columns().size() && columns.size() < kMost; ++c) {
-    const std::string& name = table.columns()[c];
-    const bool coordinate = (ends_with(name, "_deg") || (ends_with(name, "_mm") && !ends_with(name, ".gap_mm") &&
-                                                         !ends_with(name, ".length_mm"))) &&
-                            name.find('.') == name.rfind('.');
-    const bool numbered = name.size() > 8 && std::isdigit(static_cast<unsigned char>(name[name.size() - 9])) != 0 &&
-                          name[name.find_last_not_of("0123456789", name.size() - 9)] == '.';
-    const bool contact_force =
-        ends_with(name, ".force_N") && !numbered && table.has_column(name.substr(0, name.size() - 8) + ".gap_mm");
-    const bool region_force =
-        ends_with(name, ".force_N") && table.has_column(name.substr(0, name.size() - 8) + ".points");
-    if (name == "time_s" || coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos)
-      columns.push_back(name);
-  }
-  for (const std::string& name : table.columns())
-    if (ends_with(name, ".factor") && columns.size() < kMost + 2) columns.push_back(name);
-  for (const std::string& name : table.columns())
-    if (motion && ends_with(name, ".force_N") && columns.size() < kMost) columns.push_back(name);
-  for (const char* name : {"energy.kinetic_J", "energy.balance_J", "stability", "status"})
-    if (table.has_column(name)) columns.push_back(name);
-  return columns;
-}
 
 /// Every equilibrium that was found, and how many starts found none.
 void print_starts(const ResultTable& starts, double spread) {
