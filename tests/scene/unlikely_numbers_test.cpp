@@ -80,6 +80,22 @@ TEST(UnlikelyNumbers, SizesOfMetresOrMicrons) {
     EXPECT_EQ(said(edited("radius = 20", std::string("radius = ") + sound)), "");
 }
 
+TEST(UnlikelyNumbers, ModulusOfALayerInPaOrGPa) {
+  const auto said_of_modulus = [](const std::string& modulus) {
+    const std::string layer =
+        "model = \"cartilage\"\nmodulus = " + modulus + "\npoisson = 0.4\nthickness = 4\nquadrature = \"triangles\"";
+    return said(edited("model = \"rigid\"", layer));
+  };
+  const std::string in_pa = said_of_modulus("4e6");
+  EXPECT_TRUE(has(in_pa, "modulus = 4000000.0: is 4e+06 MPa, where cartilage has 1 to 20 MPa")) << in_pa;
+  EXPECT_TRUE(has(in_pa, "was 4 meant?")) << in_pa;
+  const std::string in_gpa = said_of_modulus("0.005");
+  EXPECT_TRUE(has(in_gpa, "is 0.005 MPa")) << in_gpa;
+  EXPECT_TRUE(has(in_gpa, "was 5 meant?")) << in_gpa;
+  EXPECT_TRUE(has(said_of_modulus("1e9"), "polyethylene about 1000: check its unit"));
+  for (const char* sound : {"0.3", "5", "1000", "4000"}) EXPECT_EQ(said_of_modulus(sound), "") << sound;
+}
+
 TEST(UnlikelyNumbers, AnglesBeyondATurn) {
   const std::string in_rad = said(edited("angle = \"deg\"", "angle = \"rad\""));
   EXPECT_TRUE(has(in_rad, "turns, as units.angle is \"rad\": was \"deg\" meant?")) << in_rad;

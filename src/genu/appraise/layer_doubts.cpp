@@ -255,6 +255,7 @@ std::vector<std::string> tolerance_doubts(const Prepared& prepared, const std::v
   std::vector<std::string> out;
   for (std::size_t k = 0; k < prepared.model.layers.size(); ++k) {
     const JointModel::Layer& layer = prepared.model.layers[k];
+    const LayerDef& def = prepared.scene.layers[k];
     if (!(layer.tolerance > 0)) continue;
     Rows missed;
     ElasticLayer::Memory memory;
@@ -271,8 +272,10 @@ std::vector<std::string> tolerance_doubts(const Prepared& prepared, const std::v
     if (!missed.rows.empty())
       out.push_back(fmt::format(
           "The force of the layer of {} misses its tolerance of {:.0e} in {}: it may err by {:.2g} % in row "
-          "{}. Its triangles are too coarse for so small a contact area. Use finer meshes.",
-          layer.name, layer.tolerance, missed.text(), 100 * missed.most / missed.of, missed.worst));
+          "{}. Its triangles are too coarse for so small a contact area. {}",
+          layer.name, layer.tolerance, missed.text(), 100 * missed.most / missed.of, missed.worst,
+          def.modulus > kStiffLayer ? "A layer of this `modulus` is all but rigid: use model = \"rigid\"."
+                                    : "Use finer meshes."));
   }
   return out;
 }

@@ -48,6 +48,10 @@ inline constexpr std::size_t kMinDeciding = 20;
 /// [1] Share of them that must agree. Fails first: if too small, false warnings.
 inline constexpr double kDecidingShare = 0.75;
 
+/// [Pa] Young's modulus above which a layer is all but rigid: no finer mesh shows its contact area. Fails first: if too
+/// small, an implant of polyethylene is called that.
+inline constexpr double kStiffLayer = 5e9;
+
 /// [1] Triangles that have gone through the other body over those that overlap, above which they are reported. Fails
 /// first: if too small, false warnings at rims.
 inline constexpr double kPassedShare = 1e-3;

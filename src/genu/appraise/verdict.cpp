@@ -129,6 +129,8 @@ std::string advice_without_pose(const Prepared& prepared, const PosePoint& point
   const auto& surfaces = prepared.scene.surfaces;
   const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
                                   [](const SurfaceDef& s) { return s.shape == SurfaceDef::Shape::mesh; });
+  if (point.report.adrift)
+    return "Check the signs of the loads and their frames, or add what holds the joint against them.";
   if (first)
     return "Start nearer to equilibrium (the joint's `start`). Check that something holds every motion that is not "
            "prescribed.";

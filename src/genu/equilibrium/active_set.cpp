@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "genu/equilibrium/adrift.h"
 #include "genu/equilibrium/edge_at_start.h"
 #include "genu/equilibrium/force_guess.h"
 #include "genu/equilibrium/held_drivers.h"
@@ -278,10 +279,6 @@ PoseReport ActiveSetSolver::settle_or_guess(Balanced& pose, const Target& target
   return again;
 }
 
-PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill) {
-  return settle_from_seed(pose, target, SeedWay{.downhill = downhill});
-}
-
 PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
@@ -292,7 +289,9 @@ PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& targe
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
-    report.why = "no balanced pose was found even on an elastic foundation";
+    const std::string away = adrift(*model_, *field_, pose.state, seed.ended);
+    report.adrift = !away.empty();
+    report.why = report.adrift ? away : "no balanced pose was found even on an elastic foundation";
     return report;
   }
   follow_open(trial);
@@ -379,7 +378,7 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     tried.iterations += seeded.iterations;
     if (tried.status == PoseStatus::ok && passes_through(pose.state, trial.state))
       tried.status = PoseStatus::overlap, tried.why = kBehind;
-    const bool vague = tried.status == PoseStatus::no_equilibrium;
+    const bool vague = tried.status == PoseStatus::no_equilibrium && !tried.adrift;
     if (way.downhill && (vague || (tried.status != PoseStatus::ok && seeded.status != PoseStatus::no_equilibrium)))
       seeded.iterations = tried.iterations;  // where descent fails, the report of Newton's method says more
     else

@@ -46,6 +46,7 @@ const char* to_string(PoseStatus status);
 struct PoseReport {
   PoseStatus status = PoseStatus::no_equilibrium;
   std::string why;
+  bool adrift = false;  ///< no equilibrium: the loads drive a body away, and nothing stops it
   int iterations = 0;
   NewtonReport newton;  ///< the last solve
   Certificate certificate;
@@ -70,7 +71,9 @@ class ActiveSetSolver {
 
   /// From a distant start: a compliant seed, then settle() from the contacts of the seed. `downhill`: the seed descends
   /// in energy (descent_seed.h) and so ends at a stable pose.
-  PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false);
+  PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false) {
+    return settle_from_seed(pose, target, SeedWay{.downhill = downhill});
+  }
 
   /// From where an equilibrium has ended: slides in contact to the next pose of rest (rigid_descent.h).
   PoseReport settle_downhill(Balanced& pose, const Target& target);

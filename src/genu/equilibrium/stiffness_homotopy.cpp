@@ -102,7 +102,10 @@ SeedReport stiffen(const JointModel& model, const Target& target, State& state, 
   for (int i = 0; i < kMaxStages; ++i, modulus *= kStiffnessRatio) {
     State next = state;
     // A foundation this stiff rests on a few samples only and may not converge. The previous stage is a seed as well.
-    if (!stage(modulus, next, report)) break;
+    if (!stage(modulus, next, report)) {
+      if (!report.balanced) report.ended = std::move(next);
+      break;
+    }
     state = std::move(next);
     report.balanced = true;
     if (report.deepest < kStageOverlap * L) break;

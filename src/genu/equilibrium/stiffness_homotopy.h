@@ -15,6 +15,7 @@ struct SeedReport {
   bool balanced = false;
   int iterations = 0;
   double deepest = 0;  ///< remaining overlap, m
+  State ended;         ///< where the first stage ended, if that failed
 };
 
 /// Moves `state` (poses and multipliers; its contacts are removed) to the compliant equilibrium for `target`.

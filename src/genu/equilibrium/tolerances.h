@@ -21,6 +21,12 @@ inline constexpr int kMaxPassingLooks = 200;
 /// as one that passed through a sheet.
 inline constexpr double kPassingOverlap = 0.1;
 
+// adrift
+
+/// [size] Way of a body from its start beyond which it counts as driven away. Fails first: if too small, a search that
+/// only got stuck is called that.
+inline constexpr double kAdriftSizes = 1;
+
 // contact_inspection
 
 /// [1/spacing] Relative curvature below which a contact may be about to split. Fails first: if too small, a twin

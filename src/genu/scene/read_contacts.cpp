@@ -106,6 +106,7 @@ void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
 void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   const NumberRule modulus{.unit = 1e6, .unit_name = "MPa", .above = 0, .at_least = {}};
   layer.modulus = read_number(context, section.require("modulus"), modulus).value_or(0);
+  warn_unlikely(context, section, layer);
   const Item poisson = section.require("poisson");
   const auto nu = read_number(context, poisson, {.unit = 1, .unit_name = {}, .above = {}, .at_least = 0});
   if (nu && *nu >= 0.5)

@@ -121,6 +121,7 @@ void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint);
 /// hundred times that of the bundle's name, sizes of metres or microns.
 void warn_unlikely(ReadContext& context, Section& section, const LigamentDef& ligament);
 void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& surface);
+void warn_unlikely(ReadContext& context, Section& section, const LayerDef& layer);
 
 /// The frames of bushings that are given on one body alone: where they coincide at the reference. The tree must be
 /// sound.

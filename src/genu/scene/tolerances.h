@@ -148,6 +148,14 @@ inline constexpr double kMostReferenceStrain = 0.3;
 /// first: if too small, a ligament of many thin bundles gets a warning.
 inline constexpr double kMostStiffnessRatio = 100;
 
+/// [Pa] Largest Young's modulus of a layer that is no mistake of the unit (PEEK: 4e9). Fails first: if too small, an
+/// implant gets a warning.
+inline constexpr double kLikelyMaxModulus = 1e10;
+
+/// [Pa] Smallest Young's modulus of a layer that is no mistake of the unit. Fails first: if too large, soft cartilage
+/// gets a warning.
+inline constexpr double kLikelyMinModulus = 2e4;
+
 /// [m] Largest radius that is no mistake of the unit. Fails first: if too small, a nearly flat dish gets a warning.
 inline constexpr double kLikelyMaxRadius = 3;
 

@@ -127,4 +127,14 @@ void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& sur
   }
 }
 
+void warn_unlikely(ReadContext& context, Section& section, const LayerDef& layer) {
+  constexpr double kCartilage = 5e6;  // Pa
+  const bool sound = layer.modulus >= kLikelyMinModulus && layer.modulus <= kLikelyMaxModulus;
+  if (sound || !(layer.modulus > 0)) return;
+  const Item item = section.find("modulus");
+  warn(context, item,
+       fmt::format("is {:.3g} MPa, where cartilage has 1 to 20 MPa and polyethylene about 1000{}", 1e-6 * layer.modulus,
+                   meant(item.node->number, kCartilage / layer.modulus)));
+}
+
 }  // namespace genu
