@@ -29,7 +29,7 @@ int find(F f, double low, double high, bool known, double& root) {
 
 TEST(Bracket, FindsSmoothRootsInFewSteps) {
   double root = 0;
-  EXPECT_LE(find([](double x) { return std::cos(x) - x; }, 0, 1, true, root), 14);
+  EXPECT_LE(find([](double x) { return std::cos(x) - x; }, 0, 1, true, root), 10);
   EXPECT_NEAR(root, 0.7390851332151607, 2e-12);
   EXPECT_LE(find([](double x) { return 2 - std::exp(3 * x); }, -1, 2, true, root), 25);
   EXPECT_NEAR(root, std::log(2) / 3, 2e-12);
@@ -44,8 +44,22 @@ TEST(Bracket, BisectsWhereValuesAreNotKnown) {
 
 TEST(Bracket, AJumpIsFoundAsFast) {
   double root = 0;
-  EXPECT_LE(find([](double x) { return x < 0.3 ? -1e-3 : 1e3; }, 0, 1, true, root), 170);
+  EXPECT_LE(find([](double x) { return x < 0.3 ? -1e-3 : 1e3; }, 0, 1, true, root), 60);
   EXPECT_NEAR(root, 0.3, 1e-12);
+}
+
+TEST(Bracket, AValueThatIsZeroOverARangeIsLeftAsFast) {
+  double root = 0;
+  const auto plateau = [](double x) { return x < 0.02 ? -1.0 : x > 0.07 ? 1.0 : 0.0; };
+  EXPECT_LE(find(plateau, 0, 0.1, true, root), 60);
+  EXPECT_LE(find([](double x) { return x > 0.07 ? 0.3 : 0.0; }, 0, 0.1, true, root), 60);
+  EXPECT_NEAR(root, 0.07, 1e-12);
+}
+
+TEST(Bracket, ARootMetExactlyClosesItAtOnce) {
+  double root = 0;
+  EXPECT_LE(find([](double x) { return x - 0.25; }, 0, 1, true, root), 2);
+  EXPECT_NEAR(root, 0.25, 1e-12);
 }
 
 }  // namespace

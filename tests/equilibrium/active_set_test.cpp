@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -81,6 +82,40 @@ TEST(ActiveSet, HeldContactsAreJudgedNotChanged) {
   ASSERT_EQ(findings.pulling.size(), 1u);
   EXPECT_FALSE(findings.none());
   EXPECT_LT(findings.worst, 0);
+}
+
+TEST(ActiveSet, WhereALigamentLeavesItsPieceNoContactIsSearchedFor) {
+  // A ball over a floor, held by a spring of 1 N/mm; beyond 5 mm a rope holds it too.
+  auto s = test::scene_model(
+      test::bone_on_ground("{ z = 40 }") + test::surface("ball", "bone", "sphere", "radius = 20") +
+      test::surface("floor", "ground", "plane") + test::contact("c", "ball", "floor") +
+      test::spring("s", "[0, 0, 0]", "[0, 0, 20]", 1, 20) +
+      test::ligament("rope", "[0, 0, 0]", "[0, 0, 20]", "law = \"linear\"\nstiffness = 2000\nslack_length = 25") +
+      test::load("lift", "force = [0, 0, 1]") +
+      test::step("prescribe = { \"j.x\" = 0, " + test::kNoTurn + " }\nload = { lift = [1, 15] }"));
+  s.model.meter = std::make_shared<EffectMeter>();
+  ContactField field(s.model);
+  ActiveSetSolver solver(s.model, field, {});
+  const StepPlan plan = plan_steps(s.scene).front();
+  Balanced pose;
+  pose.state = reference_state(s.model);
+  pose.last_number.assign(1, 0);
+  ASSERT_EQ(solver.settle_cold(pose, plan.target(0)).status, PoseStatus::ok);
+  const auto searches = [&] { return s.model.meter->evaluations(Effect::contact_search); };
+  const auto before = searches();
+  Balanced beyond = pose;
+  Findings findings;
+  const PoseReport left = solver.solve_held(beyond, plan.target(1), findings);
+  EXPECT_TRUE(left.newton.converged());
+  EXPECT_EQ(findings.left_piece.size(), 1u);
+  EXPECT_FALSE(findings.none());
+  EXPECT_EQ(searches(), before);
+  EXPECT_EQ(left.certificate.smallest_gap, 0) << "no certificate";
+  // With its piece changed the pose is searched, and only then is it ok.
+  const PoseReport settled = solver.settle(pose, plan.target(1));
+  EXPECT_EQ(settled.status, PoseStatus::ok);
+  EXPECT_EQ(searches(), before + 1);
+  EXPECT_GT(settled.certificate.smallest_gap, 0.02);
 }
 
 TEST(ActiveSet, FailureLeavesThePoseAsItWas) {

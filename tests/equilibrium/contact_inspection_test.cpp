@@ -1,6 +1,8 @@
 // Each thing that can be wrong with the contacts of a pose is found where it was put, and nothing where all is well.
 #include "genu/equilibrium/contact_inspection.h"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "genu/equilibrium/tolerances.h"
@@ -63,6 +65,36 @@ TEST(ContactInspection, FindsAContactThatPullsButNotRounding) {
   EXPECT_FALSE(bench.findings().none());
   bench.state.contacts[0].force = -0.5 * kPullTolerance * bench.scene.model.scales.force;
   EXPECT_TRUE(bench.findings().none());
+}
+
+TEST(ContactInspection, MarginOfTheOnlyContactIsThatOfItsForceOrGap) {
+  InspectedBall pulled(20);
+  pulled.hold(-0.5);
+  Findings f = pulled.findings();
+  ASSERT_TRUE(f.only_a_contact());
+  pulled.state.contacts[0].force = 3;
+  const double scale = pulled.scene.model.scales.force, length = pulled.scene.model.scales.length;
+  EXPECT_NEAR(pulled.inspector.margin_of_contact(pulled.state, f), 3 / scale, 2 * kPullTolerance);
+  InspectedBall deep(19.9);
+  f = deep.findings();
+  ASSERT_TRUE(f.only_a_contact());
+  for (const double gap : {-1e-4, -1e-5, 1e-5, 1e-4}) {
+    deep.state.poses[1].p.z() = 0.02 + gap;
+    EXPECT_NEAR(deep.inspector.margin_of_contact(deep.state, f), gap / length, 1e-9) << gap;
+    EXPECT_NEAR(f.overlapping[0].minimum.gap, gap, 1e-12) << "it moves along";
+  }
+}
+
+TEST(ContactInspection, ForcesAloneTakeNoSearch) {
+  InspectedBall bench(19.9);
+  bench.hold(-0.5);
+  bench.scene.model.meter = std::make_shared<EffectMeter>();
+  const auto before = bench.scene.model.meter->evaluations(Effect::contact_search);
+  Findings f;
+  bench.inspector.inspect_forces(bench.state, f);
+  EXPECT_EQ(f.pulling, std::vector<int>{0});
+  EXPECT_TRUE(f.overlapping.empty());
+  EXPECT_EQ(bench.scene.model.meter->evaluations(Effect::contact_search), before);
 }
 
 TEST(ContactInspection, ToleranceOfGapsGrowsWithTheDistanceFromTheOrigin) {

@@ -194,5 +194,28 @@ TEST(Patch, ItsGapAndFootAreWhatGapAndProjectSay) {
   }
 }
 
+TEST(Patch, ItsWedgeIsThatOfAngles) {
+  // Of any width and beyond half a turn, against the angle from its first side.
+  constexpr double kTurn = 2 * M_PI;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> share(-1, 1);
+  for (const double width : {0.01, 0.7, M_PI / 2, 3.0, 3.3, 5.0, 6.28})
+    for (const double from : {-9.0, -3.0, 0.0, 2.9, 7.5}) {
+      const Patch wedge = patch({}, {}, {}, std::pair(from, from + width));
+      for (int i = 0; i < 200; ++i) {
+        const double x = share(random);
+        const double y = share(random);
+        double turn = std::fmod(std::atan2(y, x) - from, kTurn);
+        if (turn < 0) turn += kTurn;
+        const double rho = std::hypot(x, y);
+        const auto to = [&](double angle) { return angle < kTurn / 4 ? rho * std::sin(angle) : rho; };
+        const double exact =
+            turn <= width ? std::min(to(turn), to(width - turn)) : -std::min(to(turn - width), to(kTurn - turn));
+        EXPECT_NEAR(wedge.edge_distance({x, y, 0.3}), exact, 1e-13) << width << " from " << from;
+      }
+      EXPECT_EQ(wedge.edge_distance({0, 0, 1}), 0);
+    }
+}
+
 }  // namespace
 }  // namespace genu

@@ -8,41 +8,6 @@
 namespace genu {
 namespace {
 
-TEST(Polynomial, ValueAndDerivativesOfEveryTermAgainstPowers) {
-  const std::vector<PolynomialTerm> terms{{0, 0, 2.0}, {3, 1, -1.5}, {0, 4, 0.7},
-                                          {5, 0, 0.3}, {2, 2, 1.1},  {3, 1, 0.5}};
-  const Polynomial P(terms);
-  std::mt19937 engine(5);
-  std::uniform_real_distribution<double> in(-2, 2);
-  double worst = 0;
-  for (int k = 0; k < 200; ++k) {
-    const double x = in(engine), y = in(engine);
-    const PolynomialJet jet = P(x, y);
-    // d^a/dx^a d^b/dy^b c x^i y^j
-    const auto power = [](double v, int n, int d) {
-      double factor = 1;
-      for (int m = 0; m < d; ++m) factor *= n - m;
-      return factor == 0 ? 0.0 : factor * std::pow(v, n - d);
-    };
-    const auto sum = [&](int a, int b) {
-      double s = 0;
-      for (const auto& t : terms) s += t.c * power(x, t.i, a) * power(y, t.j, b);
-      return s;
-    };
-    worst = std::max({worst, std::abs(jet.f - sum(0, 0)), std::abs(jet.x - sum(1, 0)), std::abs(jet.y - sum(0, 1)),
-                      std::abs(jet.xx - sum(2, 0)), std::abs(jet.xy - sum(1, 1)), std::abs(jet.yy - sum(0, 2))});
-  }
-  EXPECT_LT(worst, 1e-12);
-}
-
-TEST(Polynomial, HighestExponentsAndZeroCoefficients) {
-  const Polynomial P({{kMaxPolynomialExponent, kMaxPolynomialExponent, 1.0}, {1, 0, 0.0}});
-  EXPECT_EQ(P.value(1, 1), 1);
-  EXPECT_EQ(P(1, 1).xy, kMaxPolynomialExponent * kMaxPolynomialExponent);
-  EXPECT_TRUE(P.depends_on_x());
-  EXPECT_FALSE(Polynomial({{4, 0, 0.0}, {0, 2, 1.0}}).depends_on_x());
-}
-
 TEST(SurfacePointOfAChart, DoesNotDependOnTheParametersOfTheChart) {
   // A sphere of radius 2, in latitude and longitude and in stretched, skew parameters of the same.
   const auto jet = [](double a, double b, const Mat2& M) {

@@ -12,11 +12,10 @@
 #include <Eigen/Geometry>
 
 #include "genu/contact/feature_normals.h"
+#include "genu/contact/sheet_side.h"
 #include "genu/contact/tolerances.h"
-#include "genu/mesh/mesh_topology.h"
 #include "genu/mesh/nearest_point.h"
 #include "genu/mesh/tolerances.h"
-#include "genu/mesh/winding_number.h"
 
 namespace genu {
 namespace {
@@ -68,40 +67,6 @@ class ToNearest {
   const Vec3& x_;
 };
 
-/// Half of what the winding number ranges over: away from the sheet it is a harmonic function, largest and smallest at
-/// the sheet itself. Seen from both sides of the middles of some triangles; another sheet may be just behind.
-double half_range_of(const WindingNumber& winding, const Mesh& mesh) {
-  const std::size_t count = mesh.triangles.size(), stride = std::max<std::size_t>(count / kWindingsAtSheet, 1);
-  double low = 0, high = 0;
-  for (std::size_t t = 0; t < count; t += stride) {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[at(mesh.triangles[t][k])]; };
-    const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-    const Vec3 off = kBesideSheet / std::sqrt(normal.norm()) * normal;
-    const Vec3 middle = (corner(0) + corner(1) + corner(2)) / 3;
-    for (const double side : {winding(middle - off), winding(middle + off)}) {
-      high = std::max(high, side);
-      low = std::min(low, side);
-    }
-  }
-  return kWindingReserve * 0.5 * (high - low);
-}
-
-/// How far a point may go (m) until its winding number can reach kBehindEdgeWinding: away from the surface, which is
-/// `distance` away, its gradient at the distance r from x is at most 3/2 half_range / (distance - r) (Axler, Bourdon
-/// and Ramey, Harmonic Function Theory, 2001, theorem 6.26).
-double same_side(double winding, double half_range, double distance) {
-  const double left = kBehindEdgeWinding - winding - kWindingError;
-  return left > 0 ? distance * -std::expm1(-left / (1.5 * half_range)) : 0;
-}
-
-/// How far a point beyond an edge may go (m) until it is behind the sheet itself, which tells its side: to the plane
-/// that stands on the edge. Faces beside the edge have other normals than it. Infinite where it is well in front.
-double over_the_edge(const Vec3& away, const Vec3& normal) {
-  const double height = away.dot(normal), turned = kEdgeTurn * away.norm();
-  if (height > turned) return std::numeric_limits<double>::infinity();
-  return std::max(0.0, (away - height * normal).norm() - turned);
-}
-
 /// Without triangles of zero area (to rounding): a nearest point on one has no side.
 Mesh with_area(Mesh mesh) {
   std::erase_if(mesh.triangles, [&](const auto& t) {
@@ -110,24 +75,6 @@ Mesh with_area(Mesh mesh) {
     return !(u.cross(v).norm() > kDegenerateSine * std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()}));
   });
   return mesh;
-}
-
-/// Whether the boxes of any two pieces overlap.
-bool pieces_may_meet(const Mesh& mesh) {
-  const Components parts = connected_components(mesh);
-  if (parts.count < 2 || parts.count > kMaxPiecesCompared) return parts.count > 1;
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Vec3> low(static_cast<std::size_t>(parts.count), Vec3::Constant(infinity)), high(low.size(), -low[0]);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const int v : mesh.triangles[t]) {
-      const auto part = static_cast<std::size_t>(parts.of_triangle[t]);
-      low[part] = low[part].cwiseMin(mesh.vertices[static_cast<std::size_t>(v)]);
-      high[part] = high[part].cwiseMax(mesh.vertices[static_cast<std::size_t>(v)]);
-    }
-  for (std::size_t i = 0; i < low.size(); ++i)
-    for (std::size_t j = i + 1; j < low.size(); ++j)
-      if ((low[i].array() <= high[j].array()).all() && (low[j].array() <= high[i].array()).all()) return true;
-  return false;
 }
 
 }  // namespace
@@ -148,21 +95,14 @@ struct FarDistance::Triangles {
     bvh->endModel();
   }
 
-  /// The nearest point of a single sheet gives the side reliably. At the edge of a hole it gives none, and between
-  /// pieces that intersect it may lie on the wrong piece.
   void tell_sides() {
     normals.emplace(mesh);
-    entangled = pieces_may_meet(mesh);
-    if (!normals->any_open() && !entangled) return;
-    winding = std::make_unique<WindingNumber>(mesh);
-    half_range = half_range_of(*winding, mesh);
+    side = SheetSide::of(mesh, *normals);
   }
 
   Mesh mesh;
   std::optional<FeatureNormals> normals;
-  std::unique_ptr<WindingNumber> winding;  // where the nearest point does not give the side reliably
-  double half_range = 1;                   // of the winding number
-  bool entangled = false;                  // that is so everywhere
+  std::optional<SheetSide> side;  // where the nearest point does not give it reliably
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
 };
 
@@ -194,13 +134,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
   out.beyond_edge = open;
   double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
   out.same_side = std::numeric_limits<double>::infinity();
-  if (side > 0 && triangles_->winding) {
-    const double winding = (*triangles_->winding)(x);
-    const bool behind = open && !triangles_->entangled && away.dot(normal) < 0;
-    if ((open || triangles_->entangled) && winding > (behind ? kBehindEdgeWinding : kInsideWinding)) side = -1;
-    out.same_side = same_side(winding, triangles_->half_range, distance);
-    if (open && !triangles_->entangled) out.same_side = std::min(out.same_side, over_the_edge(away, normal));
-  }
+  if (side > 0 && triangles_->side) out.same_side = triangles_->side->at(x, away, normal, open, side);
   if (side < 0) out.same_side = 0;
   out.distance = side * distance;
   out.direction = distance > 1e-9 ? Vec3(side * away / distance) : normal;

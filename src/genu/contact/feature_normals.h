@@ -5,12 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include "genu/contact/tolerances.h"
 #include "genu/core/types.h"
 #include "genu/mesh/mesh.h"
+#include "genu/mesh/mesh_topology.h"
 
 namespace genu {
 
@@ -19,16 +20,10 @@ namespace genu {
 class FeatureNormals {
  public:
   explicit FeatureNormals(const Mesh& mesh)
-      : mesh_(mesh), vertex_(mesh.vertices.size(), Vec3::Zero()), open_vertex_(mesh.vertices.size(), false) {
-    edges_.reserve(3 * mesh.triangles.size());
-    for (const auto& t : mesh.triangles) add_triangle(t);
-    join_edges();
-    for (const Edge& edge : edges_) {
-      if (edge.faces != 1) continue;
-      open_vertex_[static_cast<std::size_t>(edge.i)] = open_vertex_[static_cast<std::size_t>(edge.j)] = true;
-    }
-  }
+      : mesh_(mesh), open_vertex_(boundary_vertices(mesh, mesh_edges(mesh))), faces_(faces_of(mesh)) {}
 
+  /// Whether a vertex lies on an edge of the sheet.
+  bool open_vertex(std::size_t v) const { return open_vertex_[v]; }
   bool any_open() const { return std::find(open_vertex_.begin(), open_vertex_.end(), true) != open_vertex_.end(); }
 
   /// The normal of the feature of triangle t that `p` lies on. `open`: it belongs to an edge of the sheet.
@@ -44,41 +39,29 @@ class FeatureNormals {
     open = false;
     if (zeros == 0) return face_normal(t);
     if (zeros >= 2) {
-      const auto v = static_cast<std::size_t>(t[one]);
-      open = open_vertex_[v];
-      return vertex_[v];
+      open = open_vertex_[static_cast<std::size_t>(t[one])];
+      return vertex_normal(t[one]);
     }
-    const Edge& edge = edge_between(t[(zero + 1) % 3], t[(zero + 2) % 3]);
-    open = edge.faces == 1;
-    return edge.normal;
+    return edge_normal(t[(zero + 1) % 3], t[(zero + 2) % 3], open);
   }
 
  private:
-  struct Edge {
-    int i, j;  // i < j
-    Vec3 normal;
-    int faces;
-    bool operator<(const Edge& other) const { return std::pair(i, j) < std::pair(other.i, other.j); }
+  /// The triangles round every vertex, ascending: those of v are of[first[v]] .. of[first[v + 1] - 1].
+  struct Faces {
+    std::vector<int> first, of;
   };
 
-  const Edge& edge_between(int i, int j) const {
-    return *std::lower_bound(edges_.begin(), edges_.end(), Edge{std::min(i, j), std::max(i, j), {}, 0});
-  }
-
-  /// Sorts the sides of all triangles and merges equal edges.
-  void join_edges() {
-    std::stable_sort(edges_.begin(), edges_.end());
-    std::size_t last = 0;
-    for (std::size_t k = 1; k < edges_.size(); ++k) {
-      if (!(edges_[last] < edges_[k])) {
-        edges_[last].normal += edges_[k].normal;
-        ++edges_[last].faces;
-      } else {
-        edges_[++last] = edges_[k];
-      }
-    }
-    if (!edges_.empty()) edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(last) + 1, edges_.end());
-    edges_.shrink_to_fit();
+  static Faces faces_of(const Mesh& mesh) {
+    Faces out;
+    out.first.assign(mesh.vertices.size() + 1, 0);
+    for (const auto& t : mesh.triangles)
+      for (const int v : t) ++out.first[genu::at(v) + 1];
+    std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
+    out.of.resize(3 * mesh.triangles.size());
+    std::vector<int> next(out.first.begin(), out.first.end() - 1);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const int v : mesh.triangles[t]) out.of[genu::at(next[genu::at(v)]++)] = static_cast<int>(t);
+    return out;
   }
 
   const Vec3& vertex(int i) const { return mesh_.vertices[static_cast<std::size_t>(i)]; }
@@ -87,15 +70,34 @@ class FeatureNormals {
     return (vertex(t[1]) - vertex(t[0])).cross(vertex(t[2]) - vertex(t[0])).normalized();
   }
 
-  void add_triangle(const std::array<int, 3>& t) {
-    const Vec3 normal = face_normal(t);
-    if (!normal.allFinite()) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 e1 = vertex(t[(k + 1) % 3]) - vertex(t[k]), e2 = vertex(t[(k + 2) % 3]) - vertex(t[k]);
-      vertex_[static_cast<std::size_t>(t[k])] += std::atan2(e1.cross(e2).norm(), e1.dot(e2)) * normal;
-      const int i = t[k], j = t[(k + 1) % 3];
-      edges_.push_back({std::min(i, j), std::max(i, j), normal, 1});
+  /// By the angles of the triangles round it.
+  Vec3 vertex_normal(int v) const {
+    Vec3 sum = Vec3::Zero();
+    for (int k = faces_.first[genu::at(v)]; k < faces_.first[genu::at(v) + 1]; ++k) {
+      const auto& t = mesh_.triangles[genu::at(faces_.of[genu::at(k)])];
+      const Vec3 normal = face_normal(t);
+      if (!normal.allFinite()) continue;
+      const std::size_t c = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+      const Vec3 e1 = vertex(t[(c + 1) % 3]) - vertex(v), e2 = vertex(t[(c + 2) % 3]) - vertex(v);
+      sum += std::atan2(e1.cross(e2).norm(), e1.dot(e2)) * normal;
     }
+    return sum;
+  }
+
+  /// The sum over the triangles beside it. `open`: there is only one.
+  Vec3 edge_normal(int i, int j, bool& open) const {
+    Vec3 sum = Vec3::Zero();
+    int beside = 0;
+    for (int k = faces_.first[genu::at(i)]; k < faces_.first[genu::at(i) + 1]; ++k) {
+      const auto& t = mesh_.triangles[genu::at(faces_.of[genu::at(k)])];
+      if (t[0] != j && t[1] != j && t[2] != j) continue;
+      const Vec3 normal = face_normal(t);
+      if (!normal.allFinite()) continue;
+      sum += normal;
+      ++beside;
+    }
+    open = beside == 1;
+    return sum;
   }
 
   Vec3 barycentric(const std::array<int, 3>& t, const Vec3& p) const {
@@ -107,9 +109,8 @@ class FeatureNormals {
   }
 
   const Mesh& mesh_;
-  std::vector<Vec3> vertex_;
   std::vector<bool> open_vertex_;
-  std::vector<Edge> edges_;  // by (i, j)
+  Faces faces_;
 };
 
 }  // namespace genu

@@ -129,11 +129,9 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
         known.at = x;
         continue;
       }
-      if (const double front = queried_->clear_in_front(x); front > window) {
-        known.clearance = front;
-        known.at = x;
-        continue;
-      }
+      known.clearance = queried_->clear_in_front(x);
+      known.at = x;
+      if (known.clearance > window) continue;
       visit(i);
       if (const Memory& now = tested(i).memory; now.clearance > widest.clearance) widest = now;
     }
@@ -178,7 +176,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   auto& [memory, foot, own] = tested(sample);
   memory.at = x;
   if (const auto gap = queried_->gap_and_foot(x, foot)) {
-    memory.clearance = near_clearance(gap).value_or(queried_->clear_in_front(x));
+    if (const auto near = near_clearance(gap)) memory.clearance = *near;
     if (direction == nullptr && *gap > kShallowOverlap * spacing_) return *gap;
     if (!foot && !queried_->project(x, foot.emplace())) {
       foot.reset();

@@ -1,13 +1,13 @@
 #include "genu/contact/rim.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "genu/contact/tolerances.h"
+#include "genu/mesh/mesh_topology.h"
 
 namespace genu {
 namespace {
@@ -20,21 +20,14 @@ struct BorderEdge {
 
 /// The edges of only one triangle, by their vertices.
 std::vector<BorderEdge> border_of(const Mesh& mesh) {
-  std::vector<std::array<int, 3>> sides;  // lower and higher vertex, and the opposite one
-  sides.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({t[at(k)], t[at((k + 1) % 3)]});
-      sides.push_back({low, high, t[at((k + 2) % 3)]});
-    }
-  std::sort(sides.begin(), sides.end());
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return j < sides.size() && sides[i][0] == sides[j][0] && sides[i][1] == sides[j][1];
-  };
   std::vector<BorderEdge> border;
-  for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
-    for (next = i + 1; same(i, next);) ++next;
-    if (next == i + 1) border.push_back({sides[i][0], sides[i][1], sides[i][2]});
+  for (const MeshEdge& edge : mesh_edges(mesh)) {
+    if (edge.count != 1) continue;
+    const auto [from, to] = edge.v;
+    int inside = from;
+    for (const int v : mesh.triangles[at(edge.t[0])])
+      if (v != from && v != to) inside = v;
+    border.push_back({from, to, inside});
   }
   return border;
 }

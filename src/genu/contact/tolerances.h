@@ -35,15 +35,22 @@ inline constexpr double kBehindEdgeWinding = 0.2;
 
 /// [1] Places on a sheet where its winding number is looked at. Fails first: if too small, its range is
 /// underestimated.
-inline constexpr std::size_t kWindingsAtSheet = 300;
+inline constexpr std::size_t kWindingsAtSheet = 100;
 
 /// [edge] How far from the sheet, on either side. Fails first: if too small, round-off tells the side; if too large, it
 /// is not the limit.
 inline constexpr double kBesideSheet = 1e-3;
 
-/// [1] What the range of a winding number over these places is multiplied by. Fails first: if too small, a change of
-/// side is missed; if too large, sides are looked at often (time).
-inline constexpr double kWindingReserve = 1.1;
+/// [1] What the range of a winding number over these places is multiplied by (that of cartilage is up to 7 % too small).
+/// Fails first: if too small, a change of side is missed; if too large, sides are looked at often (time).
+inline constexpr double kWindingReserve = 1.15;
+
+/// [1] Points on the edge of a sheet, across it, to which its distance is bounded. Fails first: if too large, each look
+/// takes longer (time); if too small, sides are looked at often (time).
+inline constexpr double kEdgePointsAcross = 40;
+
+/// [1] Halvings that find how far a point may go. Fails first: if too small, sides are looked at often (time).
+inline constexpr int kSameSideHalvings = 10;
 
 /// [1] Sine of the angle between the normal of an edge of a sheet and those of the faces beside it. Fails first: if too
 /// small, a change of side is missed.

@@ -33,76 +33,22 @@ std::vector<std::pair<int, int>> signature(const State& state) {
 
 }  // namespace
 
-const char* to_string(PoseStatus status) {
-  switch (status) {
-    case PoseStatus::ok:
-      return "ok";
-    case PoseStatus::no_equilibrium:
-      return "no_equilibrium";
-    case PoseStatus::over_edge:
-      return "over_edge";
-    case PoseStatus::overlap:
-      return "overlap";
-    case PoseStatus::chatter:
-      return "chatter";
-    case PoseStatus::overconstrained:
-      return "overconstrained";
-    case PoseStatus::undetermined:
-      return "undetermined";
-    case PoseStatus::flawed_mesh:
-      return "flawed_mesh";
-    case PoseStatus::slips_off:
-      return "slips_off";
-    case PoseStatus::lifts_off:
-      return "lifts_off";
-  }
-  return "";
-}
-
 ActiveSetSolver::ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
     : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {
   // For contact points far from the world's origin, rounding limits the accuracy of a closed gap.
   if (!model.pairs.empty())
     options_.residual_floor = std::max(options_.residual_floor, inspector_.gap_tolerance() / model.scales.length);
+  locating_ = options_;
+  locating_.residual_tolerance = std::min(options_.residual_tolerance, kLocatingResidual);
 }
 
 int ActiveSetSolver::contact_limit(const Target& target) const {
   return std::max(0, 6 * model_->moving_count - static_cast<int>(constraint_count(*model_, target)));
 }
 
-PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton, const Findings& findings) const {
-  PoseReport report;
-  report.newton = newton;
-  report.iterations = newton.iterations;
-  report.certificate = inspector_.certify(state, newton.residual);
-  report.status = PoseStatus::ok;
-  if (report.certificate.least_opposed > 0) {
-    report.status = PoseStatus::overlap;
-    report.why = "a contact presses from the inner side";
-  }
-  if (findings.slips_off) {
-    report.status = PoseStatus::slips_off;
-    report.why = findings.where + " is no shortest way any more: it slips off";
-  } else if (findings.lifts_off) {
-    report.status = PoseStatus::lifts_off;
-    report.why =
-        findings.where + ": it would lift off there; name the surface twice in its path for two places of touch";
-  } else if (findings.doubtful) {
-    report.status = PoseStatus::flawed_mesh;
-    report.why = "the contact touches " + findings.where;
-  } else if (findings.over_edge) {
-    report.status = PoseStatus::over_edge;
-    report.why = "contact " + findings.where + " lies past the edge of its surface";
-  } else if (findings.deep_overlap) {
-    report.status = PoseStatus::overlap;
-    report.why = "surfaces overlap deeply: " + findings.where;
-  }
-  return report;
-}
-
-PoseReport ActiveSetSolver::solve_held(Balanced& pose, const Target& target, Findings& findings) {
+PoseReport ActiveSetSolver::solve_held(Balanced& pose, const Target& target, Findings& findings, bool locating) {
   State state = pose.state;
-  const NewtonReport newton = newton_.solve(state, target, options_);
+  const NewtonReport newton = newton_.solve(state, target, locating ? locating_ : options_);
   if (!newton.converged()) {
     PoseReport report;
     report.newton = newton;
@@ -111,13 +57,22 @@ PoseReport ActiveSetSolver::solve_held(Balanced& pose, const Target& target, Fin
     return report;
   }
   pose.state = std::move(state);
-  return inspect(pose.state, newton, findings);
+  findings = {};
+  inspector_.inspect_forces(pose.state, findings);
+  inspect_pieces(*model_, pose.state, findings);
+  // Pieces change first, whatever contacts there are: no search for them, and no certificate.
+  return findings.left_a_piece() ? judge(newton, findings) : inspect(pose.state, newton, findings);
 }
 
 PoseReport ActiveSetSolver::inspect(const State& state, const NewtonReport& newton, Findings& findings) {
   inspector_.inspect(state, findings);
   inspect_pieces(*model_, state, findings);
-  return judge(state, newton, findings);
+  PoseReport report = judge(newton, findings);
+  report.certificate = inspector_.certify(state, newton.residual);
+  if (report.status != PoseStatus::ok || report.certificate.least_opposed <= 0) return report;
+  report.status = PoseStatus::overlap;
+  report.why = "a contact presses from the inner side";
+  return report;
 }
 
 std::vector<Candidate> ActiveSetSolver::touching(const State& state, ContactInspector::Touching which, double within) {

@@ -56,8 +56,17 @@ class ActiveSetSolver {
  public:
   ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options);
 
-  /// Newton's method with the contacts of `pose` fixed. Checks the result and changes no contact.
-  PoseReport solve_held(Balanced& pose, const Target& target, Findings& findings);
+  /// Newton's method with the contacts of `pose` fixed. Checks the result and changes no contact. Where a ligament or
+  /// touch has left its piece, contacts are not searched for: there is no certificate.
+  /// `locating`: a change is located by what is found, so the pose is solved to kLocatingResidual at least.
+  PoseReport solve_held(Balanced& pose, const Target& target, Findings& findings, bool locating = false);
+
+  /// Newton's method with the contacts of `state` fixed, to locate a change. Checks nothing; on failure `state` is
+  /// unchanged.
+  NewtonReport solve_unchecked(State& state, const Target& target) { return newton_.solve(state, target, locating_); }
+
+  /// ContactInspector::margin_of_contact().
+  double margin_of_contact(const State& state, Findings& found) { return inspector_.margin_of_contact(state, found); }
 
   /// Checks a solved pose: conditions that its contacts violate, and its certificate.
   PoseReport inspect(const State& state, const NewtonReport& newton, Findings& findings);
@@ -121,12 +130,13 @@ class ActiveSetSolver {
   PoseReport settle_or_guess(Balanced& pose, const Target& target);
   PoseReport settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
                                 const PoseReport& failure);
-  PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
+  static PoseReport judge(const NewtonReport& newton, const Findings& findings);
   void close_touching(Balanced& pose, const Target& target, double below);
 
   const JointModel* model_;
   ContactField* field_;
   NewtonOptions options_;
+  NewtonOptions locating_;  ///< the same, to kLocatingResidual at least
   Newton newton_;
   ContactInspector inspector_;
   Survey survey_;

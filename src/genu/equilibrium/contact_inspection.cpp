@@ -84,7 +84,7 @@ void ContactInspector::look_for_doubt(const State& state, Findings& out) {
   out.where = place->what;
 }
 
-void ContactInspector::inspect_held(const State& state, Findings& out) {
+void ContactInspector::inspect_forces(const State& state, Findings& out) const {
   for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i) {
     const ActiveContact& contact = state.contacts[at(i)];
     const double scaled = contact.force / model_->scales.force;
@@ -94,10 +94,14 @@ void ContactInspector::inspect_held(const State& state, Findings& out) {
       out.over_edge = true;
       out.where = fmt::format("{}.{}", model_->pairs[at(contact.pair)].name, contact.number);
     }
-    look_beside(state, i, out);
   }
   std::sort(out.pulling.begin(), out.pulling.end(),
             [&](int i, int j) { return state.contacts[at(i)].force < state.contacts[at(j)].force; });
+}
+
+void ContactInspector::inspect_held(const State& state, Findings& out) {
+  inspect_forces(state, out);
+  for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i) look_beside(state, i, out);
 }
 
 /// Two contacts that have merged share one force in any proportion. One of them is removed.
@@ -110,6 +114,24 @@ void ContactInspector::look_for_merged(const State& state, Findings& out) const 
       out.merged.emplace_back(i, j);
       out.worst = std::min(out.worst, -kPullTolerance);
     }
+}
+
+double ContactInspector::margin_of_contact(const State& state, Findings& found) {
+  if (!found.not_minimal.empty()) {
+    Findings here;
+    inspect_held(state, here);
+    return here.not_minimal.empty() && here.overlapping.empty() ? 1 : -1;
+  }
+  if (!found.pulling.empty()) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int i : found.pulling) least = std::min(least, state.contacts[at(i)].force);
+    return least / model_->scales.force + kPullTolerance;
+  }
+  Candidate& place = found.overlapping.front();
+  const auto descent = field_->follow(state, place.pair, place.minimum.contact);
+  if (!descent || !descent->settled) return std::numeric_limits<double>::quiet_NaN();
+  place.minimum = descent->minimum;
+  return (place.minimum.gap + gap_tolerance_) / model_->scales.length;
 }
 
 void ContactInspector::look_beside(const State& state, int i, Findings& out) {

@@ -39,13 +39,21 @@ struct Findings {
                                                            ///< contact; < 0: violated
   std::string where;  ///< place for over_edge, deep_overlap, doubtful, slips_off and lifts_off, in words
 
+  bool left_a_piece() const { return !left_piece.empty() || !left_touch.empty(); }
   bool only_left_piece() const {
     return left_piece.size() + left_touch.size() == 1 && pulling.empty() && overlapping.empty() &&
            not_minimal.empty() && merged.empty() && !final();
   }
+  /// The only violation: contacts pull, or one place overlaps, or one contact splits.
+  bool only_a_contact() const {
+    const bool pulls = !pulling.empty() && overlapping.empty() && not_minimal.empty();
+    const bool overlaps = pulling.empty() && overlapping.size() == 1 && not_minimal.empty();
+    const bool splits = pulling.empty() && not_minimal.size() == 1;
+    return (pulls || overlaps || splits) && merged.empty() && !left_a_piece() && !final();
+  }
   bool none() const {
-    return pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() && left_piece.empty() &&
-           left_touch.empty() && !final();
+    return pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() && !left_a_piece() &&
+           !final();
   }
   /// Violations that no change of the active set can repair.
   bool final() const { return over_edge || deep_overlap || doubtful || slips_off || lifts_off; }
@@ -75,11 +83,19 @@ class ContactInspector {
   enum class Touching { places, all };  ///< all: also along valleys, of pairs without a contact
   std::vector<Candidate> touching(const State& state, Touching which = Touching::places, double within = 0) const;
 
+  /// Distance of the only contact in `found` (only_a_contact()) from its violation at another state of the same
+  /// contacts, scaled: of its force (the least of several) or of its gap; <= 0 beyond it. Of a split only the sign: 1
+  /// or -1. NaN where the place that overlaps is lost; it is followed from that in `found`, which moves with it.
+  double margin_of_contact(const State& state, Findings& found);
+
   /// The certificate of the state inspected last.
   Certificate certify(const State& state, double residual) const;
 
   /// Whether the candidate is already a contact of `state`.
   bool held(const State& state, const Candidate& candidate) const;
+
+  /// The part of inspect() that searches for nothing: force and edge of each active contact.
+  void inspect_forces(const State& state, Findings& out) const;
 
   /// The part of inspect() that looks at active contacts one by one: force, edge, relative curvature.
   void inspect_held(const State& state, Findings& out);

@@ -17,6 +17,10 @@ inline constexpr int kMaxSetChanges = 24;
 /// thin sheet is refused.
 inline constexpr int kMaxPassingLooks = 200;
 
+/// [1] Scaled residual to which poses are solved that locate a change. Fails first: if too large, round-off of a loose
+/// solver decides on which side of the change a pose is, and more are solved (time).
+inline constexpr double kLocatingResidual = 1e-12;
+
 /// [length scale] Overlap on a straight way that a rolling body has. Fails first: if too small, a rolling body counts
 /// as one that passed through a sheet.
 inline constexpr double kPassingOverlap = 0.1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -19,52 +20,67 @@ double solid_angle(const std::array<Vec3, 3>& t, const Vec3& x) {
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-Vec3 middle(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
-
 }  // namespace
 
+struct WindingNumber::Pieces {
+  struct Piece {
+    std::array<Vec3, 3> corners;
+    Vec3 area, middle, sum;  ///< m^2; m; m, of the corners
+    double size;             ///< m^2: norm of the area
+  };
+  std::vector<Piece> all;
+  std::vector<int> order;
+
+  const Piece& operator[](int k) const { return all[at(order[at(k)])]; }
+};
+
 WindingNumber::WindingNumber(const Mesh& mesh) {
-  triangles_.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-    triangles_.push_back({mesh.vertices[at(t[0])], mesh.vertices[at(t[1])], mesh.vertices[at(t[2])]});
-  if (triangles_.empty()) return;
-  split(0, static_cast<int>(triangles_.size()));
+  Pieces pieces;
+  pieces.all.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const std::array<Vec3, 3> c{mesh.vertices[at(t[0])], mesh.vertices[at(t[1])], mesh.vertices[at(t[2])]};
+    const Vec3 area = 0.5 * (c[1] - c[0]).cross(c[2] - c[0]), sum = c[0] + c[1] + c[2];
+    pieces.all.push_back({c, area, sum / 3, sum, area.norm()});
+  }
+  if (pieces.all.empty()) return;
+  pieces.order.resize(pieces.all.size());
+  std::iota(pieces.order.begin(), pieces.order.end(), 0);
+  split(pieces, 0, static_cast<int>(pieces.order.size()));
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const int first = nodes_[n].first, last = nodes_[n].last;
     if (last - first <= kGroupLeaf) continue;
     nodes_[n].children = static_cast<int>(nodes_.size());
     const int half = (first + last) / 2;
-    split(first, half);
-    split(half, last);
+    split(pieces, first, half);
+    split(pieces, half, last);
   }
+  triangles_.reserve(pieces.order.size());
+  for (const int i : pieces.order) triangles_.push_back(pieces.all[at(i)].corners);
 }
 
-void WindingNumber::split(int first, int last) {
+void WindingNumber::split(Pieces& pieces, int first, int last) {
   Node node;
   node.first = first;
   node.last = last;
-  Vec3 low = middle(triangles_[at(first)]), high = low;
-  double total = 0;
+  Vec3 low = pieces[first].middle, high = low;
+  double total = 0, square = 0;
   for (int k = first; k < last; ++k) {
-    const auto& t = triangles_[at(k)];
-    const Vec3 area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]), m = middle(t);
-    node.area += area;
-    node.centre += area.norm() * m;
-    total += area.norm();
-    low = low.cwiseMin(m);
-    high = high.cwiseMax(m);
+    const Pieces::Piece& t = pieces[k];
+    node.area += t.area;
+    node.centre += t.size * t.middle;
+    total += t.size;
+    low = low.cwiseMin(t.middle);
+    high = high.cwiseMax(t.middle);
   }
   node.centre = total > 0 ? Vec3(node.centre / total) : low;
   for (int k = first; k < last; ++k)
-    for (const Vec3& p : triangles_[at(k)]) node.radius = std::max(node.radius, (p - node.centre).norm());
+    for (const Vec3& p : pieces[k].corners) square = std::max(square, (p - node.centre).squaredNorm());
+  node.radius = std::sqrt(square);
   Eigen::Index axis = 0;
   (high - low).maxCoeff(&axis);
-  const auto before = [axis](const auto& s, const auto& t) {
-    return s[0][axis] + s[1][axis] + s[2][axis] < t[0][axis] + t[1][axis] + t[2][axis];
-  };
-  if (last - first > kGroupLeaf)
-    std::nth_element(triangles_.begin() + first, triangles_.begin() + (first + last) / 2, triangles_.begin() + last,
-                     before);
+  const auto before = [&, axis](int i, int j) { return pieces.all[at(i)].sum[axis] < pieces.all[at(j)].sum[axis]; };
+  const auto begin = pieces.order.begin();
+  if (last - first > kGroupLeaf) std::nth_element(begin + first, begin + (first + last) / 2, begin + last, before);
   nodes_.push_back(node);
 }
 

@@ -31,7 +31,8 @@ class WindingNumber {
     int children = -1;           ///< index of the first of two; -1 for a leaf
   };
 
-  void split(int first, int last);
+  struct Pieces;  // what is known of each triangle while the tree is made
+  void split(Pieces& pieces, int first, int last);
 
   std::vector<std::array<Vec3, 3>> triangles_;
   std::vector<Node> nodes_;  // the root first

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -97,7 +99,7 @@ void PathFollower::take(double t, Balanced pose, const PoseReport& report) {
   stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
 }
 
-PathFollower::Attempt PathFollower::attempt(double t) {
+PathFollower::Attempt PathFollower::attempt(double t, bool locating) {
   Attempt out;
   out.pose = pose_;
   const bool predictable = tangent_.motion.twist.size() > 0 && tangent_.motion.twist.allFinite();
@@ -105,7 +107,7 @@ PathFollower::Attempt PathFollower::attempt(double t) {
     out.pose.state = out.predicted;
   else
     out.predicted = pose_.state;
-  out.report = solver_.solve_held(out.pose, plan_.target(t), out.findings);
+  out.report = solver_.solve_held(out.pose, plan_.target(t), out.findings, locating);
   iterations_ += out.report.iterations;
   return out;
 }
@@ -201,30 +203,44 @@ bool PathFollower::events_without_end() {
 
 bool PathFollower::pass_event(double t, Attempt violated) {
   constexpr double kNoSide = std::numeric_limits<double>::infinity();
+  const double began = t_, asked = t;
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
-  for (bool first = true; bracket.open(); first = false) {
+  std::pair<double, double> sides = sides_of_change(t, violated);
+  for (int looks = 0; bracket.open(); ++looks) {
     // A single ligament at a break: its length is smooth there, and the secant gives the distance past the break.
     const double worst_there = violated.findings.worst;
     if (t == bracket.high() && violated.findings.only_left_piece() && std::isfinite(inside_) && inside_ > 0 &&
-        -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there))
-      break;
-    const double place = first && violated.findings.only_left_piece() ? place_of_change(t, violated) : bracket.next();
-    const double middle = std::clamp(place, bracket.low(), bracket.high());
-    Attempt trial = attempt(middle);
+        -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there)) {
+      // No contact has been searched for yet there: one may have changed before.
+      const NewtonReport newton = violated.report.newton;
+      violated.report = solver_.inspect(violated.pose.state, newton, violated.findings);
+      if (violated.findings.only_left_piece()) break;
+      sides = sides_of_change(t, violated);
+    }
+    const bool before = !std::isnan(sides.first);
+    const double known = std::exchange(before ? sides.first : sides.second, std::numeric_limits<double>::quiet_NaN());
+    const double middle = known >= bracket.low() && known <= bracket.high() ? known : bracket.next();
+    Attempt trial = attempt(middle, true);
     const double worst = trial.findings.worst;
-    const bool valid = trial.report.newton.converged() && trial.valid() && !passes_through(trial);
-    if (valid) compute_tangent_of_last(trial.pose.state, middle, next_);
-    if (valid && pass(middle, trial)) {
+    if (goes_on_to(middle, trial)) {
       bracket.move_low(middle, worst);
       inside_ = worst;
     } else if (trial.report.newton.converged() && !trial.findings.none()) {
       bracket.move_high(middle, worst);
       t = middle;
       violated = std::move(trial);
+      // Something else has changed before.
+      if (before && looks < kMaxOtherChanges) sides = sides_of_change(t, violated);
     } else {
       bracket.move_high(middle, kNoSide);
       failure_ = trial.report;
     }
+  }
+  if (t == asked && !bracket.open() && t_ > began) {
+    // Solved from far away, it may lie on another branch: once more from beside it.
+    Attempt trial = attempt(t, true);
+    if (goes_on_to(t, trial)) return true;
+    if (trial.report.newton.converged() && !trial.findings.none()) violated = std::move(trial);
   }
   t = bracket.high();
   Balanced next = violated.pose;

@@ -99,7 +99,7 @@ class PathFollower {
     std::string what;
   };
 
-  Attempt attempt(double t);
+  Attempt attempt(double t, bool locating = false);
   void accept(double t, Balanced pose, const PoseReport& report, bool leaps = false);
   bool passes_a_fold(const Tangent& next, const State& there, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
@@ -110,9 +110,13 @@ class PathFollower {
   PoseReport rest_at(double t, bool seeded, Balanced& next);
   bool snap_to(double t, bool seeded);
   bool pass_event(double t, Attempt violated);
-  /// Where between here and a pose solved at `t` its only changed ligament or touch changes, by the cubic of the path;
-  /// in the middle where that is not known.
+  /// Where between here and a pose solved at `t` its only change happens: before it and beyond it, near enough where
+  /// that is known; else NaN.
+  std::pair<double, double> sides_of_change(double t, const Attempt& violated);
+  /// Of a ligament or touch, by the cubic of the path; in the middle where that is not known.
   double place_of_change(double t, const Attempt& violated);
+  /// Of a contact, by its force or gap at poses that are solved and not searched.
+  std::pair<double, double> sides_of_contact(double t, const Attempt& violated);
   /// Whether events follow each other too closely to continue.
   /// Where a path over surfaces ends this one: names it. Always false.
   bool says_what_slips();
@@ -127,6 +131,8 @@ class PathFollower {
   /// Reports the events on the way to `trial` and goes there. False, without a report, if the step seems to leave the
   /// branch.
   bool pass(double t, Attempt trial);
+  /// Goes to a trial at `t` that is valid and reached through no body. False where it is not, or where pass() is.
+  bool goes_on_to(double t, const Attempt& trial);
   using Measure = std::function<double(const Tangent&)>;
   struct Found {
     double t;

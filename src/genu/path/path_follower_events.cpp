@@ -47,29 +47,6 @@ PathFollower::Found PathFollower::locate(const Measure& measure, double t_end, c
   return out;
 }
 
-double PathFollower::place_of_change(double t, const Attempt& violated) {
-  const JointModel& model = solver_.model();
-  const double h = t - t_, middle = t_ + 0.5 * h;
-  const bool alike = same_contacts(pose_.state, violated.pose.state) && tangent_.motion.twist.size() > 0 &&
-                     held_count(pose_.state) == held_count(violated.pose.state);
-  if (!alike || !violated.findings.only_left_piece()) return middle;
-  compute_tangent_of_last(violated.pose.state, t, between_);
-  if (!tangent_.motion.twist.allFinite() || !between_.motion.twist.allFinite()) return middle;
-  const double before = margin_of_change(model, violated.findings, pose_.state);
-  if (!opposite(before, violated.findings.worst)) return middle;
-  PathCubic cubic(model, pose_.state, tangent_.motion, violated.pose.state, between_.motion, h);
-  Bracket bracket(0, before, 1, violated.findings.worst, kPlaceOfChange);
-  double u = 0.5;
-  State there;
-  while (bracket.open()) {
-    u = bracket.next();
-    if (!cubic.at(u, there)) return middle;
-    const double value = margin_of_change(model, violated.findings, there);
-    value > 0 ? bracket.move_low(u, value) : bracket.move_high(u, value);
-  }
-  return t_ + u * h;
-}
-
 bool PathFollower::find_stability_change(double t, const State& next, std::vector<Turn>& turns) {
   const char* verdict = to_string(next_.stability.verdict);
   const double before = stability().smallest, after = next_.stability.smallest;

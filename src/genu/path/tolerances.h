@@ -203,6 +203,14 @@ inline constexpr double kLeapDistance = 1e-6;
 /// Fails first: if too small, limit points are missed.
 inline constexpr double kVanishingShare = 1e-3;
 
+/// [1] Poses solved to find the place of a change of contacts. Fails first: if too small, it is found by searches
+/// (time).
+inline constexpr int kMaxLooksForAChange = 60;
+
+/// [1] Changes before a change that are found in this way within one substep. Fails first: if too small, the others are
+/// found by searches (time).
+inline constexpr int kMaxOtherChanges = 4;
+
 /// [substep] How near the place of a change is found on the cubic of the path. Fails first: if too large, more poses
 /// are solved to locate it (time).
 inline constexpr double kPlaceOfChange = 1e-8;

@@ -68,6 +68,8 @@ FrontDistance::FrontDistance(const SurfaceChart& chart, const ChartBox& patch, c
       patch_(patch),
       P_(terms),
       side_(inside ? -1 : 1),
+      end_u0_(std::remainder(patch.u0, 2 * std::numbers::pi)),
+      end_u1_(std::remainder(patch.u1, 2 * std::numbers::pi)),
       near_(kFrontCount * kFrontCount),
       cell_u_(patch.width() / kFrontCells),
       cell_v_(patch.height() / kFrontCells) {
@@ -105,8 +107,11 @@ double FrontDistance::beside(const ChartPoint& c, double u, double v) const {
   const double across = std::abs(c.v - v);
   if (u == c.u) return across;
   if (!chart_.cylindrical) return std::max(across, std::abs(c.u - u));
-  const auto apart = [&](double end) { return std::abs(std::remainder(c.u - end, 2 * std::numbers::pi)); };
-  const double angle = std::min(apart(patch_.u0), apart(patch_.u1));
+  const auto apart = [&](double end) {  // both angles are within half a turn
+    const double direct = std::abs(c.u - end);
+    return std::min(direct, 2 * std::numbers::pi - direct);
+  };
+  const double angle = std::min(apart(end_u0_), apart(end_u1_));
   return std::max(across, angle < std::numbers::pi / 2 ? c.h * std::sin(angle) : c.h);
 }
 

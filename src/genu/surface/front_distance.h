@@ -42,7 +42,8 @@ class FrontDistance {
   SurfaceChart chart_;
   ChartBox patch_;
   Polynomial P_;
-  double side_;  // 1, or -1 where the outward side is down
+  double side_;             // 1, or -1 where the outward side is down
+  double end_u0_, end_u1_;  // rad, within half a turn: the patch's sides round an axis
   Slopes whole_;
   std::vector<Slopes> near_;           // of each cell and those beside it
   double cell_u_ = 0, cell_v_ = 0;     // m or rad, m

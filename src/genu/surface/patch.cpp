@@ -15,17 +15,40 @@
 namespace genu {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+/// The part between two half planes that begin on the axis z.
+class Wedge {
+ public:
+  explicit Wedge(const std::pair<double, double>& theta)
+      : from_(std::cos(theta.first), std::sin(theta.first)),
+        to_(std::cos(theta.second), std::sin(theta.second)),
+        reflex_(theta.second - theta.first > std::numbers::pi) {}
 
-/// From p, at the angle `turn` (0 .. 2 pi) from a half plane that begins on the axis, to that half plane.
-double to_half_plane(double rho, double turn) { return turn < kTurn / 4 ? rho * std::sin(turn) : rho; }
+  /// m, to the nearer half plane: positive inside.
+  double distance(const Vec3& p) const {
+    const Vec2 x = p.head<2>();
+    const double over_from = cross(from_, x), over_to = cross(to_, x);
+    const bool inside = reflex_ ? over_from >= 0 || over_to <= 0 : over_from >= 0 && over_to <= 0;
+    const double nearer = std::min(to_half_plane(from_, over_from, x), to_half_plane(to_, over_to, x));
+    return inside ? nearer : -nearer;
+  }
 
-double wedge_distance(const std::pair<double, double>& theta, const Vec3& p) {
-  const double rho = std::hypot(p.x(), p.y()), width = theta.second - theta.first;
-  double turn = std::fmod(std::atan2(p.y(), p.x()) - theta.first, kTurn);
-  if (turn < 0) turn += kTurn;
-  if (turn <= width) return std::min(to_half_plane(rho, turn), to_half_plane(rho, width - turn));
-  return -std::min(to_half_plane(rho, turn - width), to_half_plane(rho, kTurn - turn));
+ private:
+  static double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+  static double to_half_plane(const Vec2& along, double over, const Vec2& x) {
+    return along.dot(x) > 0 ? std::abs(over) : x.norm();
+  }
+
+  Vec2 from_, to_;
+  bool reflex_;
+};
+
+double box_distance(const Patch& patch, const Vec3& p) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& range = patch.box[at(axis)];
+    if (range) distance = std::min({distance, p[axis] - range->first, range->second - p[axis]});
+  }
+  return distance;
 }
 
 double mesh_area(const Mesh& mesh) {
@@ -48,7 +71,7 @@ std::vector<PatchSide> sides_of(const Patch& patch) {
   if (!patch.theta) return sides;
   const auto [from, to] = *patch.theta;
   if (to - from > std::numbers::pi) {
-    sides.emplace_back([theta = *patch.theta](const Vec3& p) { return wedge_distance(theta, p); });
+    sides.emplace_back([wedge = Wedge(*patch.theta)](const Vec3& p) { return wedge.distance(p); });
     return sides;
   }
   const Vec3 first(-std::sin(from), std::cos(from), 0), last(std::sin(to), -std::cos(to), 0);
@@ -65,6 +88,7 @@ class PatchSurface final : public Surface {
       : whole_(std::move(surface)),
         X_BS_(X_BS),
         patch_(patch),
+        wedge_(patch.theta ? std::optional<Wedge>(*patch.theta) : std::nullopt),
         endless_(endless),
         own_mesh_(std::move(own_mesh)),
         front_(std::move(front)) {}
@@ -101,7 +125,9 @@ class PatchSurface final : public Surface {
   }
 
   double edge_distance(const Vec3& p) const override {
-    return std::min(whole_->edge_distance(p), patch_.edge_distance(to_own(p)));
+    const Vec3 own = to_own(p);
+    const double of_box = box_distance(patch_, own);
+    return std::min(whole_->edge_distance(p), wedge_ ? std::min(wedge_->distance(own), of_box) : of_box);
   }
 
   Mesh triangles(double edge, const Vec3& centre, double reach) const override {
@@ -201,6 +227,7 @@ class PatchSurface final : public Surface {
   std::shared_ptr<const Surface> whole_;
   Pose X_BS_;
   Patch patch_;
+  std::optional<Wedge> wedge_;
   std::array<bool, 3> endless_;
   std::function<Mesh(double)> own_mesh_;
   std::function<double(const Vec3&)> front_;
@@ -209,12 +236,8 @@ class PatchSurface final : public Surface {
 }  // namespace
 
 double Patch::edge_distance(const Vec3& p) const {
-  double distance = theta ? wedge_distance(*theta, p) : std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto& range = box[static_cast<std::size_t>(axis)];
-    if (range) distance = std::min({distance, p[axis] - range->first, range->second - p[axis]});
-  }
-  return distance;
+  const double of_box = box_distance(*this, p);
+  return theta ? std::min(Wedge(*theta).distance(p), of_box) : of_box;
 }
 
 std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,

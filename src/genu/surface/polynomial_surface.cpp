@@ -10,53 +10,6 @@
 
 namespace genu {
 
-Polynomial::Polynomial(const std::vector<PolynomialTerm>& terms) {
-  for (const PolynomialTerm& t : terms) {
-    if (t.c == 0) continue;
-    rows_ = std::max(rows_, t.i + 1);
-    columns_ = std::max(columns_, t.j + 1);
-  }
-  c_.assign(static_cast<std::size_t>(rows_ * columns_), 0.0);
-  lengths_.assign(static_cast<std::size_t>(rows_), 0);
-  for (const PolynomialTerm& t : terms) {
-    if (t.c == 0) continue;
-    c_[static_cast<std::size_t>(t.i * columns_ + t.j)] += t.c;
-    int& length = lengths_[static_cast<std::size_t>(t.i)];
-    length = std::max(length, t.j + 1);
-  }
-}
-
-PolynomialJet Polynomial::operator()(double x, double y) const {
-  PolynomialJet r;
-  for (int i = rows_ - 1; i >= 0; --i) {
-    const double* row = &c_[static_cast<std::size_t>(i * columns_)];
-    double q = 0, q1 = 0, q2 = 0;  // the row's polynomial in y, its first and half its second derivative
-    for (int j = lengths_[static_cast<std::size_t>(i)] - 1; j >= 0; --j) {
-      q2 = q2 * y + q1;
-      q1 = q1 * y + q;
-      q = q * y + row[j];
-    }
-    r.xx = r.xx * x + 2 * r.x;
-    r.xy = r.xy * x + r.y;
-    r.x = r.x * x + r.f;
-    r.yy = r.yy * x + 2 * q2;
-    r.y = r.y * x + q1;
-    r.f = r.f * x + q;
-  }
-  return r;
-}
-
-double Polynomial::value(double x, double y) const {
-  double f = 0;
-  for (int i = rows_ - 1; i >= 0; --i) {
-    const double* row = &c_[static_cast<std::size_t>(i * columns_)];
-    double q = 0;
-    for (int j = lengths_[static_cast<std::size_t>(i)] - 1; j >= 0; --j) q = q * y + row[j];
-    f = f * x + q;
-  }
-  return f;
-}
-
 SurfacePoint surface_point(const ChartJet& jet) {
   SurfacePoint s;
   s.p = jet.p;
