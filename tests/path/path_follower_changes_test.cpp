@@ -80,7 +80,7 @@ TEST(PathFollowerChanges, TwoContactsThatOpenInOneStep) {
   EXPECT_EQ(lost[0].what, "r.1");
   EXPECT_EQ(lost[1].what, "l.1");
   EXPECT_LT(lost[0].t, lost[1].t);
-  EXPECT_LE(s.searches, 2 * kSearches);
+  EXPECT_LE(s.searches, 4 * kSearches);
 }
 
 TEST(PathFollowerChanges, AContactBeforeALigamentInOneStep) {

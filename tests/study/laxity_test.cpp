@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -323,7 +324,10 @@ TEST(Laxity, ACurveThatEndsStopsNoOther) {
   const std::vector<LaxityCurve>& cut = result.scenes[1].angles[0].curves;
   ASSERT_EQ(cut.size(), 2u);
   ASSERT_EQ(cut[0].ended.size(), 1u);
-  EXPECT_TRUE(test::contains(cut[0].ended[0], "anterior ends at 80.4")) << cut[0].ended[0];
+  const std::string ends = "anterior ends at ";
+  ASSERT_TRUE(cut[0].ended[0].starts_with(ends)) << cut[0].ended[0];
+  // By triangles the stiffness jumps all along: near its zero there are several turns, within 0.002 N.
+  EXPECT_NEAR(std::stod(cut[0].ended[0].substr(ends.size())), 80.395, 0.006);
   EXPECT_TRUE(cut[0].at(134) == nullptr && cut[0].at(-134) != nullptr) << "the posterior direction stands";
   EXPECT_TRUE(cut[1].ended.empty() && cut[1].at(10) && cut[1].at(-10));
 }

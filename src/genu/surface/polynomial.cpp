@@ -8,18 +8,18 @@
 namespace genu {
 namespace {
 
-constexpr int kPowers = 4;  // of x at a time
-constexpr std::size_t kRows = (kMaxPolynomialExponent / kPowers + 1) * kPowers;
+constexpr int kPowersAtOnce = 4;  // of x at a time
+constexpr std::size_t kMostPowers = (kMaxPolynomialExponent / kPowersAtOnce + 1) * kPowersAtOnce;
 
-using Four [[gnu::vector_size(kPowers * sizeof(double))]] = double;
+using Four [[gnu::vector_size(kPowersAtOnce * sizeof(double))]] = double;
 
 /// Of the coefficient of each power of x, a polynomial in y: value, first and half the second derivative.
 struct Coefficients {
-  alignas(sizeof(Four)) std::array<double, kRows> q, q1, q2;
+  alignas(sizeof(Four)) std::array<double, kMostPowers> q, q1, q2;
 };
 
 [[gnu::always_inline]] inline void put(const Four& four, double* to) {
-  for (int k = 0; k < kPowers; ++k) to[k] = four[k];
+  for (int k = 0; k < kPowersAtOnce; ++k) to[k] = four[k];
 }
 
 [[gnu::always_inline]] inline void in_y(const std::vector<double>& c, const std::vector<int>& lengths, double y,
@@ -28,10 +28,10 @@ struct Coefficients {
   std::size_t row = 0;
   for (const int length : lengths) {
     const double* begin = end;
-    end += kPowers * length;
+    end += kPowersAtOnce * length;
     Four q = {}, q1 = {}, q2 = {};
     for (const double* from = end; from != begin;) {
-      from -= kPowers;
+      from -= kPowersAtOnce;
       q2 = q2 * y + q1;
       q1 = q1 * y + q;
       q = q * y + Four{from[0], from[1], from[2], from[3]};
@@ -39,7 +39,7 @@ struct Coefficients {
     put(q, &out.q[row]);
     put(q1, &out.q1[row]);
     put(q2, &out.q2[row]);
-    row += kPowers;
+    row += kPowersAtOnce;
   }
 }
 
@@ -65,14 +65,14 @@ struct Coefficients {
   double f = 0;
   const double* end = c.data() + c.size();
   for (std::size_t block = lengths.size(); block-- > 0;) {
-    const double* begin = end - kPowers * lengths[block];
+    const double* begin = end - kPowersAtOnce * lengths[block];
     Four q = {};
     for (const double* from = end; from != begin;) {
-      from -= kPowers;
+      from -= kPowersAtOnce;
       q = q * y + Four{from[0], from[1], from[2], from[3]};
     }
     end = begin;
-    for (int k = kPowers - 1; k >= 0; --k) f = f * x + q[k];
+    for (int k = kPowersAtOnce - 1; k >= 0; --k) f = f * x + q[k];
   }
   return f;
 }
@@ -94,18 +94,18 @@ const bool kLanesOfAvx2 = __builtin_cpu_supports("avx2") != 0;
 Polynomial::Polynomial(const std::vector<PolynomialTerm>& terms) {
   for (const PolynomialTerm& t : terms)
     if (t.c != 0) rows_ = std::max(rows_, t.i + 1);
-  lengths_.assign(at((rows_ - 1) / kPowers + 1), 0);
+  lengths_.assign(at((rows_ - 1) / kPowersAtOnce + 1), 0);
   for (const PolynomialTerm& t : terms)
-    if (t.c != 0) lengths_[at(t.i / kPowers)] = std::max(lengths_[at(t.i / kPowers)], t.j + 1);
+    if (t.c != 0) lengths_[at(t.i / kPowersAtOnce)] = std::max(lengths_[at(t.i / kPowersAtOnce)], t.j + 1);
   std::vector<int> first;
   int size = 0;
   for (const int length : lengths_) {
     first.push_back(size);
-    size += kPowers * length;
+    size += kPowersAtOnce * length;
   }
   c_.assign(at(size), 0.0);
   for (const PolynomialTerm& t : terms)
-    if (t.c != 0) c_[at(first[at(t.i / kPowers)] + kPowers * t.j + t.i % kPowers)] += t.c;
+    if (t.c != 0) c_[at(first[at(t.i / kPowersAtOnce)] + kPowersAtOnce * t.j + t.i % kPowersAtOnce)] += t.c;
 }
 
 PolynomialJet Polynomial::jet_anywhere(double x, double y) const { return jet(c_, lengths_, rows_, x, y); }
