@@ -94,7 +94,7 @@ class ContactInspector {
   /// Whether the candidate is already a contact of `state`.
   bool held(const State& state, const Candidate& candidate) const;
 
-  /// The part of inspect() that searches for nothing: force and edge of each active contact.
+  /// The part of inspect() without any search: force and edge of each active contact.
   void inspect_forces(const State& state, Findings& out) const;
 
   /// The part of inspect() that looks at active contacts one by one: force, edge, relative curvature.
