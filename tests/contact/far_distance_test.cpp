@@ -8,28 +8,15 @@
 #include "genu/surface/facet_surface.h"
 #include "support/brute_force.h"
 #include "support/mesh_parts.h"
+#include "support/sheet_mesh.h"
 
 namespace genu {
 namespace {
 
+using test::bent_sheet;
+
 FacetSurface facets_of(const Surface& surface, double edge) {
   return FacetSurface(surface.triangles(edge, Vec3::Zero(), 0.03));
-}
-
-/// A flat square sheet of half side `half` (m), outward +z.
-FacetSurface flat_facets(double half, int cells) {
-  Mesh mesh;
-  for (int j = 0; j <= cells; ++j)
-    for (int i = 0; i <= cells; ++i)
-      mesh.vertices.emplace_back(half * (2.0 * i / cells - 1), half * (2.0 * j / cells - 1), 0);
-  const int row = cells + 1;
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i) {
-      const int v = j * row + i;
-      mesh.triangles.push_back({v, v + 1, v + row});
-      mesh.triangles.push_back({v + 1, v + row + 1, v + row});
-    }
-  return FacetSurface(mesh);
 }
 
 /// Distance, sign and direction at random points within `reach` (m) of the origin.
@@ -91,8 +78,8 @@ TEST(FarDistance, FineSphereMeshApproachesTheSphere) {
 
 TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
   const double half = 0.01;
-  const FacetSurface facets = flat_facets(half, 6);
-  const Mesh mesh = facets.triangles(0, Vec3::Zero(), 0);
+  const Mesh mesh = bent_sheet(6, [&](double u, double v) { return Vec3(half * u, half * v, 0); });
+  const FacetSurface facets(mesh);
   const FarDistance far(facets);
   std::mt19937 random(1);
   int beyond = 0;
@@ -108,14 +95,6 @@ TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
   }
   EXPECT_GT(beyond, 100);
   EXPECT_LT(beyond, 450);
-}
-
-/// A square sheet over [-1, 1]^2, bent: where each place of it goes.
-template <typename Place>
-Mesh bent_sheet(int cells, const Place& place) {
-  Mesh mesh = flat_facets(1, cells).triangles(0, Vec3::Zero(), 0);
-  for (Vec3& v : mesh.vertices) v = place(v.x(), v.y());
-  return mesh;
 }
 
 /// From random points outside, as far as their side is said to be known: none gets inside. (Not of sheets that look at

@@ -9,27 +9,18 @@
 
 #include "genu/mesh/mesh_topology.h"
 #include "support/random_points.h"
+#include "support/sheet_mesh.h"
 
 namespace genu {
 namespace {
 
 /// A square sheet of half side 10 mm, outward +z, bent to the radius `bend` (m) about the axis y; flat for 0.
 Mesh sheet(int cells, double bend) {
-  Mesh mesh;
-  for (int j = 0; j <= cells; ++j)
-    for (int i = 0; i <= cells; ++i) {
-      const double u = 0.01 * (2.0 * i / cells - 1), v = 0.01 * (2.0 * j / cells - 1);
-      const double angle = bend > 0 ? u / bend : 0;
-      mesh.vertices.push_back(bend > 0 ? Vec3(bend * std::sin(angle), v, bend * (std::cos(angle) - 1)) : Vec3(u, v, 0));
-    }
-  const int row = cells + 1;
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i) {
-      const int v = j * row + i;
-      mesh.triangles.push_back({v, v + 1, v + row});
-      mesh.triangles.push_back({v + 1, v + row + 1, v + row});
-    }
-  return mesh;
+  return test::bent_sheet(cells, [bend](double u, double v) {
+    if (bend == 0) return Vec3(0.01 * u, 0.01 * v, 0);
+    const double angle = 0.01 * u / bend;
+    return Vec3(bend * std::sin(angle), 0.01 * v, bend * (std::cos(angle) - 1));
+  });
 }
 
 double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {

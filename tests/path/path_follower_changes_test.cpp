@@ -1,6 +1,7 @@
 // Changes of contacts are located without searching at every pose that is looked at.
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -26,22 +27,17 @@ struct OneStep {
   }
 };
 
-TEST(PathFollowerChanges, AContactThatPulls) {
-  const OneStep s(test::held_ball(test::step("prescribe = { " + test::kNoTurn + " }\nload = { lift = [0, 100] }")));
-  ASSERT_TRUE(s.followed.result.complete) << s.followed.story();
-  const auto lost = s.followed.of(PathEvent::Kind::contact_lost);
-  ASSERT_EQ(lost.size(), 1u) << s.followed.story();
-  EXPECT_NEAR(lost[0].target.load_factors[0], test::kLiftOff, 1e-6);
-  EXPECT_LE(s.searches, kSearches);
-}
-
-TEST(PathFollowerChanges, APlaceThatOverlaps) {
-  const OneStep s(test::held_ball(test::step("prescribe = { " + test::kNoTurn + " }\nload = { lift = [100, 0] }")));
-  ASSERT_TRUE(s.followed.result.complete) << s.followed.story();
-  const auto gained = s.followed.of(PathEvent::Kind::contact_gained);
-  ASSERT_EQ(gained.size(), 1u) << s.followed.story();
-  EXPECT_NEAR(gained[0].target.load_factors[0], test::kLiftOff, 1e-6);
-  EXPECT_LE(s.searches, kSearches);
+TEST(PathFollowerChanges, AContactThatPullsAndAPlaceThatOverlaps) {
+  for (const auto& [load, kind] :
+       {std::pair{"[0, 100]", PathEvent::Kind::contact_lost}, {"[100, 0]", PathEvent::Kind::contact_gained}}) {
+    const OneStep s(
+        test::held_ball(test::step("prescribe = { " + test::kNoTurn + " }\nload = { lift = " + load + " }")));
+    ASSERT_TRUE(s.followed.result.complete) << s.followed.story();
+    const auto changes = s.followed.of(kind);
+    ASSERT_EQ(changes.size(), 1u) << s.followed.story();
+    EXPECT_NEAR(changes[0].target.load_factors[0], test::kLiftOff, 1e-6);
+    EXPECT_LE(s.searches, kSearches) << load;
+  }
 }
 
 TEST(PathFollowerChanges, AContactThatSplits) {

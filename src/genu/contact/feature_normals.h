@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include "genu/contact/tolerances.h"
 #include "genu/core/types.h"
 #include "genu/mesh/mesh.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/vertex_triangles.h"
 
 namespace genu {
 
@@ -20,7 +20,7 @@ namespace genu {
 class FeatureNormals {
  public:
   explicit FeatureNormals(const Mesh& mesh)
-      : mesh_(mesh), open_vertex_(boundary_vertices(mesh, mesh_edges(mesh))), faces_(faces_of(mesh)) {}
+      : mesh_(mesh), open_vertex_(boundary_vertices(mesh, mesh_edges(mesh))), faces_(mesh) {}
 
   /// Whether a vertex lies on an edge of the sheet.
   bool open_vertex(std::size_t v) const { return open_vertex_[v]; }
@@ -46,24 +46,6 @@ class FeatureNormals {
   }
 
  private:
-  /// The triangles round every vertex, ascending: those of v are of[first[v]] .. of[first[v + 1] - 1].
-  struct Faces {
-    std::vector<int> first, of;
-  };
-
-  static Faces faces_of(const Mesh& mesh) {
-    Faces out;
-    out.first.assign(mesh.vertices.size() + 1, 0);
-    for (const auto& t : mesh.triangles)
-      for (const int v : t) ++out.first[genu::at(v) + 1];
-    std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
-    out.of.resize(3 * mesh.triangles.size());
-    std::vector<int> next(out.first.begin(), out.first.end() - 1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      for (const int v : mesh.triangles[t]) out.of[genu::at(next[genu::at(v)]++)] = static_cast<int>(t);
-    return out;
-  }
-
   const Vec3& vertex(int i) const { return mesh_.vertices[static_cast<std::size_t>(i)]; }
 
   Vec3 face_normal(const std::array<int, 3>& t) const {
@@ -73,8 +55,8 @@ class FeatureNormals {
   /// By the angles of the triangles round it.
   Vec3 vertex_normal(int v) const {
     Vec3 sum = Vec3::Zero();
-    for (int k = faces_.first[genu::at(v)]; k < faces_.first[genu::at(v) + 1]; ++k) {
-      const auto& t = mesh_.triangles[genu::at(faces_.of[genu::at(k)])];
+    for (const int face : faces_.of(v)) {
+      const auto& t = mesh_.triangles[genu::at(face)];
       const Vec3 normal = face_normal(t);
       if (!normal.allFinite()) continue;
       const std::size_t c = t[0] == v ? 0 : t[1] == v ? 1 : 2;
@@ -88,8 +70,8 @@ class FeatureNormals {
   Vec3 edge_normal(int i, int j, bool& open) const {
     Vec3 sum = Vec3::Zero();
     int beside = 0;
-    for (int k = faces_.first[genu::at(i)]; k < faces_.first[genu::at(i) + 1]; ++k) {
-      const auto& t = mesh_.triangles[genu::at(faces_.of[genu::at(k)])];
+    for (const int face : faces_.of(i)) {
+      const auto& t = mesh_.triangles[genu::at(face)];
       if (t[0] != j && t[1] != j && t[2] != j) continue;
       const Vec3 normal = face_normal(t);
       if (!normal.allFinite()) continue;
@@ -110,7 +92,7 @@ class FeatureNormals {
 
   const Mesh& mesh_;
   std::vector<bool> open_vertex_;
-  Faces faces_;
+  VertexTriangles faces_;
 };
 
 }  // namespace genu

@@ -1,31 +1,13 @@
 #include "genu/mesh/vertex_fans.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "genu/mesh/tolerances.h"
+#include "genu/mesh/vertex_triangles.h"
 
 namespace genu {
 namespace {
-
-/// The triangles round each vertex, compressed.
-struct Around {
-  std::vector<int> first, triangles;
-};
-
-Around triangles_around(const Mesh& mesh) {
-  Around out;
-  out.first.assign(mesh.vertices.size() + 1, 0);
-  for (const auto& t : mesh.triangles)
-    for (const int v : t) ++out.first[at(v) + 1];
-  std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
-  out.triangles.resize(3 * mesh.triangles.size());
-  std::vector<int> next(out.first.begin(), out.first.end() - 1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const int v : mesh.triangles[t]) out.triangles[at(next[at(v)]++)] = static_cast<int>(t);
-  return out;
-}
 
 bool share_spoke(const std::array<int, 3>& s, const std::array<int, 3>& t, int v) {
   return std::any_of(s.begin(), s.end(), [&](int w) { return w != v && std::find(t.begin(), t.end(), w) != t.end(); });
@@ -34,11 +16,11 @@ bool share_spoke(const std::array<int, 3>& s, const std::array<int, 3>& t, int v
 /// Calls visit(v, fans) for every vertex of more than one fan; a fan is a list of triangles.
 template <class Visit>
 void for_each_pinched(const Mesh& mesh, Visit&& visit) {
-  const Around around = triangles_around(mesh);
+  const VertexTriangles around(mesh);
   std::vector<int> left;
   std::vector<std::vector<int>> fans;
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
-    left.assign(around.triangles.begin() + around.first[at(v)], around.triangles.begin() + around.first[at(v) + 1]);
+    left.assign(around.of(v).begin(), around.of(v).end());
     fans.clear();
     while (!left.empty()) {
       std::vector<int>& fan = fans.emplace_back(1, left.front());

@@ -42,8 +42,13 @@ class Wedge {
   bool reflex_;
 };
 
-double box_distance(const Patch& patch, const Vec3& p) {
-  double distance = std::numeric_limits<double>::infinity();
+std::optional<Wedge> wedge_of(const Patch& patch) {
+  return patch.theta ? std::optional<Wedge>(*patch.theta) : std::nullopt;
+}
+
+/// Patch::edge_distance(), with the patch's wedge at hand.
+double to_edge(const Patch& patch, const std::optional<Wedge>& wedge, const Vec3& p) {
+  double distance = wedge ? wedge->distance(p) : std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const auto& range = patch.box[at(axis)];
     if (range) distance = std::min({distance, p[axis] - range->first, range->second - p[axis]});
@@ -88,7 +93,7 @@ class PatchSurface final : public Surface {
       : whole_(std::move(surface)),
         X_BS_(X_BS),
         patch_(patch),
-        wedge_(patch.theta ? std::optional<Wedge>(*patch.theta) : std::nullopt),
+        wedge_(wedge_of(patch)),
         endless_(endless),
         own_mesh_(std::move(own_mesh)),
         front_(std::move(front)) {}
@@ -125,9 +130,7 @@ class PatchSurface final : public Surface {
   }
 
   double edge_distance(const Vec3& p) const override {
-    const Vec3 own = to_own(p);
-    const double of_box = box_distance(patch_, own);
-    return std::min(whole_->edge_distance(p), wedge_ ? std::min(wedge_->distance(own), of_box) : of_box);
+    return std::min(whole_->edge_distance(p), to_edge(patch_, wedge_, to_own(p)));
   }
 
   Mesh triangles(double edge, const Vec3& centre, double reach) const override {
@@ -235,10 +238,7 @@ class PatchSurface final : public Surface {
 
 }  // namespace
 
-double Patch::edge_distance(const Vec3& p) const {
-  const double of_box = box_distance(*this, p);
-  return theta ? std::min(Wedge(*theta).distance(p), of_box) : of_box;
-}
+double Patch::edge_distance(const Vec3& p) const { return to_edge(*this, wedge_of(*this), p); }
 
 std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
                                     const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh,
