@@ -41,8 +41,8 @@ inline constexpr std::size_t kWindingsAtSheet = 100;
 /// is not the limit.
 inline constexpr double kBesideSheet = 1e-3;
 
-/// [1] What the range of a winding number over these places is multiplied by (that of cartilage is up to 7 % too small).
-/// Fails first: if too small, a change of side is missed; if too large, sides are looked at often (time).
+/// [1] What the range of a winding number over these places is multiplied by (that of cartilage is up to 7 % too
+/// small). Fails first: if too small, a change of side is missed; if too large, sides are looked at often (time).
 inline constexpr double kWindingReserve = 1.15;
 
 /// [1] Points on the edge of a sheet, across it, to which its distance is bounded. Fails first: if too large, each look
