@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/surface/tessellate.h"
+#include "support/sheet_mesh.h"
 
 namespace genu {
 namespace {
@@ -39,6 +40,13 @@ TEST(CoordinateStep, IsWhatTheNumbersWereRoundedTo) {
   EXPECT_DOUBLE_EQ(both.decimal, 0.01) << "decimals saved as floats";
   EXPECT_DOUBLE_EQ(step_of(as_float, 1e6).single, 0.0625);
   EXPECT_EQ(step_of(as_float, 1e6).decimal, 0) << "there every float is nearly a multiple of everything";
+}
+
+TEST(CoordinateStep, APlateOnAGridIsNotRounded) {
+  Mesh plate = test::bent_sheet(6, [](double u, double v) { return Vec3(6 * u, 6 * v, 0); });
+  EXPECT_EQ(coordinate_step(plate).decimal, 0);
+  plate.vertices[12].z() = 1;  // a hump: now the heights are whole numbers too
+  EXPECT_EQ(coordinate_step(plate).decimal, 1);
 }
 
 }  // namespace

@@ -20,6 +20,14 @@ bool are_multiples(const Mesh& mesh, double scale, double epsilon) {
   });
 }
 
+/// Is every triangle in a plane of constant x, y or z? A plate, a box or a voxel's faces have round numbers by design.
+bool lies_along_axes(const Mesh& mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+    const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
+    return ((a.array() == b.array()) && (b.array() == c.array())).any();
+  });
+}
+
 }  // namespace
 
 CoordinateStep coordinate_step(const Mesh& mesh) {
@@ -35,6 +43,7 @@ CoordinateStep coordinate_step(const Mesh& mesh) {
     const auto most = static_cast<float>(largest);
     out.single = static_cast<double>(std::nextafter(most, Float::infinity())) - static_cast<double>(most);
   }
+  if (lies_along_axes(mesh)) return out;
   const double epsilon = single ? double{Float::epsilon()} : std::numeric_limits<double>::epsilon();
   for (double scale = 1; epsilon * largest * scale < kDecimalStepMaxRounding && scale < 1e13; scale *= 10) {
     if (!are_multiples(mesh, scale, epsilon)) continue;

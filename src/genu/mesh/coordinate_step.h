@@ -12,7 +12,8 @@ struct CoordinateStep {
 };
 
 /// 0 for what they are not; both are 0 for double precision. Decimals are told apart from float32 only where they are
-/// coarser, and few vertices may lie on them by chance or by design.
+/// coarser, and not where every triangle lies in a plane of constant x, y or z: few vertices may lie on them by chance,
+/// and plates and boxes do by design.
 CoordinateStep coordinate_step(const Mesh& mesh);
 
 }  // namespace genu
