@@ -68,5 +68,17 @@ TEST(JudgedLayers, RegionsThatTheContactReachesAndLeaves) {
   }
 }
 
+TEST(JudgedLayers, TheShareOfARegionIsHeldToLessThanARowOfSamples) {
+  for (const std::string border : {"-2", "-0.37", "1.6", "2.9"}) {
+    const test::TemporaryFolder folder;
+    const Corrupted run =
+        pressed(folder, "smooth\"\nregions = { far = \"x >= " + border + "\", near = \"x < " + border + "\" }\n");
+    EXPECT_THAT(run.rejections(), IsEmpty()) << border << '\n' << to_text(run.judge());
+    Corrupted changed = run;
+    changed.add(1, "foot.far.force_z_N", 0.2 * changed.number(1, "foot.force_z_N"));
+    EXPECT_THAT(changed.rejections(), Contains("layer forces")) << border;
+  }
+}
+
 }  // namespace
 }  // namespace genu

@@ -8,6 +8,19 @@
 namespace genu::judge {
 namespace {
 
+/// Share of a square sample of this side about x, with normal n, that lies in the region.
+double share_in(const RegionDef& region, const Vec3& x, const Vec3& n, double side) {
+  using C = RegionDef::Comparison;
+  double share = 1;
+  for (const auto& c : region.conditions) {
+    const double width = side * std::sqrt(std::max(0.0, 1 - n[c.axis] * n[c.axis]));
+    const double above = x[c.axis] - c.value;
+    const double inward = c.comparison == C::less || c.comparison == C::less_equal ? -above : above;
+    share *= width > 0 ? std::clamp(0.5 + inward / width, 0.0, 1.0) : (inward >= 0 ? 1.0 : 0.0);
+  }
+  return share;
+}
+
 /// Leaves out triangles, all within `radius` (m) of their middle, where clear(middle, normal, radius).
 template <typename Clear, typename Add>
 void each_triangle(const Facets& facets, int fine, Clear clear, Add add) {
@@ -145,15 +158,21 @@ std::vector<Resultant> LayerCasts::cast_all(int from, int to, int fine, double r
     const Vec3 x = X_bc * p, on_b = X_bc.R * (second ? Vec3(-n) : n);
     const double lean = other.facets ? 0 : 1 + (X_oc.R * n).dot(other.shape->normal(X_oc * (p - depth * n)));
     const Resultant::OnBorder sample{x, on_b, pressure_of(layer_, depth), share * area, depth};
+    const bool divided = layer_.quadrature == LayerDef::Quadrature::smooth;
     for (std::size_t r = 0; r < sums.size(); ++r) {
       const RegionDef* region = r == 0 ? nullptr : &layer_.pair.regions[r - 1];
       sums[r].lean = std::max(sums[r].lean, lean);
-      if (exact && region != nullptr && lies_on_border(*region, x))
+      if (exact && region != nullptr && lies_on_border(*region, x)) {
         sums[r].on_border.push_back(sample);
-      else if (region != nullptr && !region->contains(x))
-        ++sums[r].outside;
-      else
-        sums[r].side = std::max(sums[r].side, side), sums[r].add(sample);
+        continue;
+      }
+      const double within = region == nullptr ? 1
+                            : divided         ? share_in(*region, x, on_b, side)
+                                              : (region->contains(x) ? 1.0 : 0.0);
+      if (within < 1) ++sums[r].outside;
+      if (!(within > 0)) continue;
+      sums[r].side = std::max(sums[r].side, side);
+      sums[r].add({sample.x, sample.on_b, sample.pressure, within * sample.area, sample.depth});
     }
   };
   if (casting.facets) {

@@ -16,7 +16,7 @@ struct Resultant {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   Vec3 centre = Vec3::Zero();  ///< mean of the places, weighted by load; during summation, times the load
   double area = 0, most = 0, load = 0, depth = 0;
-  double points = 0, outside = 0;  ///< samples in contact, within the region and outside
+  double points = 0, outside = 0;  ///< samples in contact: those that reach into the region, and out of it
   double side = 0;                 ///< m: longest side of the area that a sample in contact represents
   double lean = 0;                 ///< largest 1 - cosine of the angle between the normals of both surfaces
   Vec3 deepest = Vec3::Zero();     ///< place of the largest depth
