@@ -208,6 +208,9 @@ TEST(PoseColumns, RefusesWithAWayOut) {
       {good, {"knee_r.tx=j.x,knee_r.tx=j.y", ""}, "is given twice"},
       {good, {"time=j.x,time=j.y", ""}, "is given twice"},
       {good, {"", "inch"}, "--units = \"inch\": must be"},
+      {good, {"", "mm,m"}, "--units = \"mm,m\": must be"},
+      {Table(good).with("ang_mm", "1"), {"knee_r.flexion=ang_mm", ""}, "and mm is no unit of an angle"},
+      {Table(good).with("x_deg", "1"), {"knee_r.tx=x_deg", ""}, "and deg is no unit of a length"},
   };
   for (const WrongColumns& wrong : cases) {
     const Result r = match(wrong.table, wrong.options);

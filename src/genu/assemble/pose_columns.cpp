@@ -60,7 +60,7 @@ class Matcher {
     if (trimmed(text).empty()) return;
     for (const std::string& part : split(text, ',')) {
       const ColumnUnit* unit = column_unit(std::string(trimmed(part)));
-      if (unit == nullptr) {
+      if (unit == nullptr || (unit->angle ? angle_why_ : length_why_) == "--units") {
         refuse_option(out_, Code::wrong_form, "--units", text,
                       "must be an angle's unit (deg or rad), a length's (mm or m), or both: deg,mm");
         return;
@@ -154,19 +154,26 @@ class Matcher {
     if (unit == nullptr && label.unit != nullptr) {
       unit = label.unit;
       how += ", unit: its name";
-      if (unit->angle != angle)
-        out_.add(error_at(place(column), Code::conflict, names_[column], {},
-                          fmt::format("is taken for {}, and {} is no unit of {}", coordinate_name(scene_, c),
-                                      unit->name, angle ? "an angle" : "a length")));
+      if (unit->angle != angle) refuse_unit(c, column, *unit);
     } else if (unit == nullptr) {
       unit = angle ? angle_ : length_;
       assumed = why == kAssumed;
       unit_of_file_used_ = unit_of_file_used_ || (angle && why == file_.angles.why);
       how += ", unit: " + why;
-      if (!label.unknown.empty()) warn_unknown_unit(c, column, *unit);
+      const ColumnUnit* other = names_.label(column, !angle).unit;
+      if (other != nullptr && other != column_unit("m"))  // the ending _m has other meanings
+        refuse_unit(c, column, *other);
+      else if (!label.unknown.empty())
+        warn_unknown_unit(c, column, *unit);
     }
     found_.coordinates.push_back({c, column, unit->si, unit->name, how, assumed});
     used_.push_back(column);
+  }
+
+  void refuse_unit(const CoordinateRef& c, std::size_t column, const ColumnUnit& unit) {
+    out_.add(error_at(place(column), Code::conflict, names_[column], {},
+                      fmt::format("is taken for {}, and {} is no unit of {}", coordinate_name(scene_, c), unit.name,
+                                  c.index < 3 ? "an angle" : "a length")));
   }
 
   void warn_unknown_unit(const CoordinateRef& c, std::size_t column, const ColumnUnit& unit) {
