@@ -104,7 +104,7 @@ TEST_F(Verdict, EventsAreTold) {
   expect_said("the path turns back and is unstable from here on");
   expect_said("knee.z 2 mm)");
   expect_said("Bifurcation at knee.flexion = 41.2 deg: ");
-  expect_said("is largest 0.5701 Nm at knee.flexion = 41.2 deg");
+  expect_said("has a local maximum of 0.5701 Nm at knee.flexion = 41.2 deg");
   expect_said("See events.csv for 1 more.");
   expect_said("The path is closed");
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "genu/appraise/barely_held.h"
 #include "genu/appraise/contact_location.h"
 #include "genu/appraise/hertz_check.h"
 #include "genu/appraise/implausible.h"
@@ -40,6 +41,7 @@ std::vector<std::string> doubts_of(const Prepared& prepared, const Solved& solve
   if (solved.complete()) add(patella_sentences(prepared, solved.records, solved.events));  // else the verdict has them
   add(jump_sentences(prepared, solved.events));
   add(unstable_sentences(prepared, solved.records));
+  add(barely_held_sentences(prepared, solved.records, poses));
   add(implausible(prepared, solved.records, poses));
   return doubts;
 }

@@ -6,6 +6,13 @@
 
 namespace genu {
 
+// barely_held
+
+/// [1] Stiffness that a ripple of a layer's force makes, over its tolerance times force times size of the joint:
+/// ripples are that much shorter than the joint. Fails first: if too small, free motions pass as held; if too large,
+/// soft joints are doubted.
+inline constexpr double kRippleStiffness = 10;
+
 // contact_location
 
 /// [1] Mean curvature over its error below which a contact's place is doubtful. Fails first: if too small, doubtful

@@ -47,14 +47,12 @@ std::string new_branch(const Prepared& prepared, const std::vector<PathEvent>& e
                      next->what, in_brackets(free_coordinates(prepared, *next)));
 }
 
-/// "largest 6.68862099 Nm" of a table as "largest 6.689 Nm": a sentence has four digits.
-std::string with_short_number(const std::string& words) {
-  const std::size_t begin = words.find(' '), end = words.rfind(' ');
-  if (begin == end) return words;
-  const std::string number = words.substr(begin + 1, end - begin - 1);
-  char* rest = nullptr;
-  const double value = std::strtod(number.c_str(), &rest);
-  return *rest != '\0' ? words : fmt::format("{} {:.4g}{}", words.substr(0, begin), value, words.substr(end));
+/// "largest 6.68862099 Nm" of a table as "a local maximum of 6.689 Nm".
+std::string turn_in_words(const std::string& words) {
+  const std::size_t begin = words.find(' ') + 1, end = words.rfind(' ');
+  const double value = std::strtod(words.c_str() + begin, nullptr);
+  return fmt::format("a local {} of {:.4g}{}", words.starts_with("largest") ? "maximum" : "minimum", value,
+                     words.substr(end));
 }
 
 /// At a peak of the reaction the joint would snap through under a dead load of that size: the first peak, and the
@@ -65,10 +63,10 @@ void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& 
   if (first == events.end()) return;
   const auto more = std::count_if(first + 1, events.end(), turns);
   out.push_back(
-      fmt::format("The reaction of the prescribed coordinate is {} at {}. Under a dead load of that size the joint "
+      fmt::format("The reaction of the prescribed coordinate has {} at {}. Under a dead load of that size the joint "
                   "would snap through "
                   "(limit point); here the coordinate is prescribed, so it does not.{}",
-                  with_short_number(first->what), place(prepared, first->step, first->target),
+                  turn_in_words(first->what), place(prepared, first->step, first->target),
                   more == 0 ? "" : fmt::format(" See events.csv for {} more.", more)));
 }
 
