@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/place.h"
 #include "genu/assemble/surface_variants.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/core/atomic_output.h"
+#include "genu/core/counted.h"
 #include "genu/core/file_list.h"
 #include "genu/core/file_text.h"
 #include "genu/core/timer.h"
@@ -18,6 +20,7 @@
 #include "genu/store/report.h"
 #include "genu/store/report_beside.h"
 #include "genu/store/stop_of.h"
+#include "genu/study/anatomy_doubts.h"
 #include "genu/study/failure.h"
 #include "genu/study/run_motion.h"
 #include "genu/study/run_scene.h"
@@ -114,6 +117,29 @@ std::string options_of(const SceneChanges& changes) {
   return words;
 }
 
+/// What its scene was warned of, as sentences of the verdict: a report outlives what was printed. The layout of the
+/// bones decides what angles mean and is said in full.
+std::vector<std::string> warned_of(const std::string& scene, const Diagnostics& out) {
+  constexpr std::size_t kNamed = 5;
+  std::vector<std::string> sentences, keys;
+  std::size_t others = 0;
+  for (const Diagnostic& d : out.items()) {
+    if (d.severity != Diagnostic::Severity::warning || d.file != scene || d.key.empty()) continue;
+    if (d.code == Code::layout) {
+      sentences.push_back(fmt::format("{}: {}", d.key, as_sentence(d.rule)));
+      continue;
+    }
+    ++others;
+    if (keys.size() <= kNamed && std::find(keys.begin(), keys.end(), d.key) == keys.end()) keys.push_back(d.key);
+  }
+  if (others == 0) return sentences;
+  if (keys.size() > kNamed) keys.back() = "...";
+  sentences.push_back(fmt::format("The scene has {} ({}): `genu check` says what they are.",
+                                  counted(others, sentences.empty() ? "warning" : "more warning"),
+                                  fmt::join(keys, ", ")));
+  return sentences;
+}
+
 /// Writes what was found where it belongs. The exit code.
 int keep_results(const Prepared& prepared, const std::string& folder, const RunOptions& options, Checkpoint& checkpoint,
                  std::vector<ReportBeside> beside_tables, Diagnostics& out, Solution& found) {
@@ -176,6 +202,8 @@ int run_scene(const SceneSource& source, const std::string& folder, const RunOpt
     if (!options.save_failure.empty()) save_failure(options.save_failure, source.path, nullptr, {}, options, out);
     return kExitRefused;
   }
+  warn_about_anatomy(*prepared, out);
+  const std::vector<std::string> warned = warned_of(prepared->scene.file, out);
   auto beside_tables = beside_of(*prepared, options, out);
   if (!beside_tables || holds_others(folder, options, out)) return kExitRefused;
   auto inputs = input_hashes(prepared->scene, prepared->meshes->files());
@@ -190,6 +218,7 @@ int run_scene(const SceneSource& source, const std::string& folder, const RunOpt
   if (const std::string why = moves ? std::string() : checkpoint.blocked(); !why.empty())
     out.warning(Code::cannot_write, checkpoint.file(), why + ": the rows of this run are not kept there");
   auto found = moves ? move_all(*prepared, own, out) : solve_all(*prepared, own, out);
+  if (found) found->summary.verdict.insert(found->summary.verdict.end(), warned.begin(), warned.end());
   int code = kExitRefused;
   if (found) code = keep_results(*prepared, folder, own, checkpoint, std::move(*beside_tables), out, *found);
   if (!options.save_failure.empty() && !(found && found->stopped == "interrupted"))
