@@ -7,6 +7,7 @@
 #include "api/knee.h"
 #include "genu/api/scene.h"
 #include "genu/mesh_files/mesh_reader.h"
+#include "support/temporary_folder.h"
 
 namespace genu::api {
 namespace {
@@ -46,7 +47,8 @@ TEST(CheckMesh, RefusesWhatIsNoMesh) {
 TEST(Meshes, InMemoryStandInForFiles) {
   const std::string folder = genu::test::source_folder() + "/meshes/lenhart_polynomial/";
   std::map<std::string, Triangles> meshes;
-  for (const char* name : {"stl-2mm/femur_cartilage_medial.stl", "stl-4mm/tibia_cartilage_medial.stl"}) {
+  for (const char* name : {"stl-2mm/femur_cartilage_medial.stl", "stl-4mm/tibia_cartilage_medial.stl",
+                           "stl-2mm/femur_cartilage_lateral.stl", "stl-4mm/tibia_cartilage_lateral.stl"}) {
     Diagnostics out;
     const auto mesh = read_mesh(folder + name, 1, out);
     ASSERT_TRUE(mesh);
@@ -59,6 +61,11 @@ TEST(Meshes, InMemoryStandInForFiles) {
   EXPECT_EQ(memory.residual(q), files.residual(q));
   for (auto& v : meshes.begin()->second.vertices) v[1] += 0.1;
   EXPECT_NE(load(folder + "scene-cells.toml", meshes).residual(q), files.residual(q));
+  const test::TemporaryFolder elsewhere;  // without the files
+  const std::string scene = elsewhere.write("scene.toml", text_of(folder + "scene-cells.toml"));
+  EXPECT_NE(load(scene, meshes).residual(q), files.residual(q));
+  meshes.erase("stl-2mm/femur_cartilage_medial.stl");
+  EXPECT_THROW((void)load(scene, meshes), SceneError);
   meshes.emplace("fibula.stl", tetrahedron());
   EXPECT_THROW((void)load(folder + "scene-cells.toml", meshes), SceneError);
 }

@@ -74,6 +74,10 @@ TEST(Results, ReportNamesTheChanges) {
   knee.run().report(file);
   EXPECT_THAT(text_of(file), HasSubstr("AAC.stiffness = 20000 N (37200)"));
   EXPECT_THROW(knee.run().report(folder / "no/folder.html"), SceneError);
+  knee.run().report(file);  // its own page may go
+  const std::string scene = folder.write("scene.toml", "the only copy");
+  EXPECT_THROW(knee.run().report(scene), SceneError);
+  EXPECT_EQ(text_of(scene), "the only copy");
 }
 
 }  // namespace

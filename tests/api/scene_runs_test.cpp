@@ -1,6 +1,8 @@
 // Poses and derivatives of a scene in memory.
 #include "genu/api/scene.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,6 +28,15 @@ TEST(SceneRuns, EvaluatesItsOwnResults) {
   EXPECT_NEAR(evaluated["front.force_N"][0], found["front.force_N"][0], 1e-9);
   EXPECT_NEAR(evaluated["bone.residual_force_z_N"][0], 0, 1e-9);
   EXPECT_THAT(refusal_of([&] { (void)bone.evaluate({{"joint.x_mm"}, {found["joint.x_mm"]}}); }), HasSubstr("joint.y"));
+}
+
+TEST(SceneRuns, ForcesThatAreNoNumbersAreRefused) {
+  const Scene bone = load(genu::test::source_folder() + "/tests/examples/hanging_bone.toml");
+  std::vector<double> q = bone.start();
+  EXPECT_THAT(refusal_of([&] { (void)bone.residual(q, {{}, std::nan("")}); }), HasSubstr("time = nan: must be finite"));
+  for (double& x : q) x += 1e300;
+  EXPECT_THAT(refusal_of([&] { (void)bone.residual(q, {}); }), HasSubstr("forces overflow"));
+  EXPECT_THAT(refusal_of([&] { (void)bone.stiffness(q, {}); }), HasSubstr("forces overflow"));
 }
 
 TEST(SceneRuns, DifferentiatesAsDifferencesDo) {

@@ -33,6 +33,12 @@ void put_meshes(const genu::Scene& scene, const std::map<std::string, Triangles>
   }
 }
 
+MeshesAtHand names_of_meshes(const std::map<std::string, Triangles>& meshes) {
+  MeshesAtHand names;
+  for (const auto& mesh : meshes) names.push_back(mesh.first);
+  return names;
+}
+
 Scene scene_of(std::optional<genu::Scene> read, const std::map<std::string, Triangles>& meshes,
                std::shared_ptr<MeshLibrary> library, const Diagnostics& out) {
   check(out);
@@ -45,13 +51,13 @@ Scene scene_of(std::optional<genu::Scene> read, const std::map<std::string, Tria
 Scene load(const std::string& file, const std::map<std::string, Triangles>& meshes) {
   auto library = std::make_shared<MeshLibrary>();
   Diagnostics out;
-  auto read = read_scene(file, library->files(), out);
+  auto read = read_scene(file, library->files(), out, names_of_meshes(meshes));
   return scene_of(std::move(read), meshes, std::move(library), out);
 }
 
 Scene parse(const std::string& text, const std::string& file, const std::map<std::string, Triangles>& meshes) {
   Diagnostics out;
-  auto read = parse_scene(text, file, out);
+  auto read = parse_scene(text, file, out, names_of_meshes(meshes));
   auto library = std::make_shared<MeshLibrary>();
   library->files().put(file, text);
   return scene_of(std::move(read), meshes, std::move(library), out);

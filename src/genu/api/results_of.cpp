@@ -91,6 +91,7 @@ std::vector<double> Results::coordinates() const {
 
 void Results::report(const std::string& file) const {
   if (inside_->given) refuse(Code::not_applicable, "report", {}, "shows poses that were solved, and these were given");
+  if (const auto kept = why_not_replaced(file, kReportMark)) refuse(kept->code, {}, {}, kept->text);
   const Solution& solution = *inside_->solution;
   const std::string page = use(*inside_->ready, [&](const Prepared& prepared) {
     ReportRun run = report_run(prepared, solution);

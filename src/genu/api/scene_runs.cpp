@@ -199,10 +199,14 @@ GeneralisedForces forces_at(const Prepared& prepared, std::span<const double> q,
     refuse(Code::wrong_form, "q", {}, fmt::format("has {} values, and there are {} coordinates", q.size(), n));
   for (const double value : q)
     if (!std::isfinite(value)) refuse(Code::out_of_range, "q", fmt::format("{}", value), "must be finite");
+  if (!std::isfinite(loading.time))
+    refuse(Code::out_of_range, "time", fmt::format("{}", loading.time), "must be finite");
   Linearization memory;
   const auto found =
       generalised_forces(model, {q.begin(), q.end()}, factors_of(prepared, loading), loading.time, memory);
   if (!found) refuse(Code::not_applicable, "q", {}, "is a gimbal pose of a joint, where its angles are no coordinates");
+  if (!found->forces.allFinite() || !found->derivatives.allFinite())
+    refuse(Code::out_of_range, "q", {}, "is so large that forces overflow");
   return *found;
 }
 

@@ -9,6 +9,9 @@ namespace genu {
 /// Of the data: a page of another format is not understood.
 inline constexpr int kReportFormat = 2;
 
+/// In every page, and in no other file.
+inline constexpr const char* kReportMark = "id=\"genu-notices\"";
+
 /// A picture below the joint and its curves, and the lines that go with it.
 struct ReportPicture {
   std::string title;

@@ -14,8 +14,9 @@ struct ReadContext {
   ReadContext(const std::string& path, Diagnostics& diagnostics, Scene& to_fill)
       : file(path), folder(std::filesystem::path(path).parent_path()), out(diagnostics), scene(to_fill) {}
 
-  std::string file;              ///< the scene file, as named by the user
-  std::filesystem::path folder;  ///< where relative mesh files start
+  std::string file;                  ///< the scene file, as named by the user
+  std::filesystem::path folder;      ///< where relative mesh files start
+  std::vector<std::string> at_hand;  ///< mesh files, as they would be opened, that need not exist
   Diagnostics& out;
   Scene& scene;
   std::string length_name = "mm";  ///< the file's unit of length, for messages
@@ -28,6 +29,11 @@ struct ReadContext {
   std::vector<std::string> ligaments;  ///< all that the file names, disabled ones too
   bool in_motion = false;              ///< the scene has [dynamics]
   bool turns_said = false;             ///< an angle has got the warning that it is probably in deg
+
+  /// As a mesh file of that name is opened.
+  std::string file_called(const std::string& name) const {
+    return (folder / std::filesystem::path(name)).lexically_normal().string();
+  }
 
   void error(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
     out.add(error_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));

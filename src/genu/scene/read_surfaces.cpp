@@ -123,10 +123,11 @@ void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
 void read_mesh_file(ReadContext& context, const Item& item, PieceFiles& files) {
   const auto name = read_string(context, item);
   if (!name) return;
-  const fs::path path = context.folder / fs::path(*name);
-  std::string file = path.lexically_normal().string();
+  std::string file = context.file_called(*name);
+  const bool at_hand = std::find(context.at_hand.begin(), context.at_hand.end(), file) != context.at_hand.end();
   std::error_code failed;
-  const fs::file_status status = fs::status(path, failed);
+  const fs::file_status status =
+      at_hand ? fs::file_status(fs::file_type::regular) : fs::status(context.folder / fs::path(*name), failed);
   if (name->empty() || name->find('\0') != std::string::npos) {
     refuse(context, item, Code::wrong_form, "must name a mesh file");
   } else if (status.type() == fs::file_type::not_found) {

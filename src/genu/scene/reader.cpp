@@ -131,16 +131,19 @@ std::optional<Scene> finished(Scene scene, Diagnostics& found, Diagnostics& out)
 
 }  // namespace
 
-std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
+std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out,
+                                 const MeshesAtHand& at_hand) {
   const std::optional<TomlNode> document = parse_document(text, path, out);
-  return document ? scene_of(*document, path, out) : std::nullopt;
+  return document ? scene_of(*document, path, out, at_hand) : std::nullopt;
 }
 
-std::optional<Scene> scene_of(const TomlNode& document, const std::string& path, Diagnostics& out) {
+std::optional<Scene> scene_of(const TomlNode& document, const std::string& path, Diagnostics& out,
+                              const MeshesAtHand& at_hand) {
   Diagnostics found;
   Scene scene;
   scene.file = path;
   ReadContext context(path, found, scene);
+  for (const std::string& name : at_hand) context.at_hand.push_back(context.file_called(name));
   Section root(context, {&document, ""}, "a scene");
   context.in_motion = root.has("dynamics");
   read_header(context, root);
@@ -170,10 +173,11 @@ std::optional<Scene> read_scene(const std::string& path, Diagnostics& out) {
   return read_scene(path, files, out);
 }
 
-std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out) {
+std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out,
+                                const MeshesAtHand& at_hand) {
   const auto text = read_text(path, files, out);
   if (!text) return std::nullopt;
-  return parse_scene(*text, path, out);
+  return parse_scene(*text, path, out, at_hand);
 }
 
 std::optional<TomlNode> read_document(const std::string& path, InputFiles& files, Diagnostics& out) {

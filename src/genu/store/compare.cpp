@@ -8,6 +8,7 @@
 #include "genu/core/atomic_output.h"
 #include "genu/core/file_text.h"
 #include "genu/results/report_merge.h"
+#include "genu/results/report_page.h"
 
 namespace genu {
 namespace {
@@ -58,7 +59,7 @@ int compare_results(const std::vector<std::string>& results, const std::string& 
     out.error(Code::page_in_result, file, "lies in a result that is compared: choose another folder");
     break;
   }
-  if (const auto kept = why_not_replaced(file, "id=\"genu-notices\"")) out.error(kept->code, {}, kept->text);
+  if (const auto kept = why_not_replaced(file, kReportMark)) out.error(kept->code, {}, kept->text);
   if (results.size() < 2) out.error(Code::usage, file, "needs two results at least to compare");
   if (out.has_errors()) return kExitRefused;
   if (const std::string error = write_file_atomically(file, merged_report(reports)); !error.empty()) {
