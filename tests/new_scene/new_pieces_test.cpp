@@ -123,6 +123,11 @@ TEST(NewPieces, FilesAreSortedAndSaid) {
   asked.tibia_any = files({bone, bone});
   EXPECT_FALSE(sort_pieces(asked, choices, twice));
   EXPECT_NE(test::messages(twice).find("is named twice"), std::string::npos);
+  Diagnostics missing;
+  asked.tibia_any = files({"no/bone.stl", "no/sheet.stl"});
+  EXPECT_FALSE(sort_pieces(asked, choices, missing));
+  EXPECT_EQ(missing.items().size(), 2U);
+  EXPECT_NE(test::messages(missing).find("--tibia = \"no/bone.stl\": there is no such mesh file"), std::string::npos);
 }
 
 TEST(NewPieces, OfMeasuredKnees) {

@@ -9,6 +9,7 @@
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/nearest_point.h"
 #include "genu/mesh/solid_inertia.h"
+#include "genu/mesh_files/mesh_file_check.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/new_scene/tolerances.h"
 #include "genu/scene/words.h"
@@ -118,9 +119,12 @@ std::optional<NewScene> sort_pieces(const NewScene& asked, std::vector<std::stri
   NewScene sorted = asked;
   for (const auto& [option, files] : {std::pair("--femur", &asked.femur_any), std::pair("--tibia", &asked.tibia_any),
                                       std::pair("--patella", &asked.patella_any), std::pair("--fibula", &asked.fibula)})
-    for (auto path = files->paths.begin(); path != files->paths.end(); ++path)
+    for (auto path = files->paths.begin(); path != files->paths.end(); ++path) {
       if (std::find(files->paths.begin(), path, *path) != path)
         out.add(error_at({}, Code::duplicate, option, with_quotes(printable(*path)), "is named twice"));
+      else if (const auto fault = check_mesh_name(*path))
+        out.add(error_at({}, fault->code, option, with_quotes(printable(*path)), fault->text));
+    }
   for (const std::string& path : asked.fibula.paths)
     for (const PieceFiles* files : {&asked.femur, &asked.tibia, &asked.patella, &asked.femur_any, &asked.tibia_any,
                                     &asked.patella_any, &asked.femur_bone, &asked.tibia_bone, &asked.patella_bone})
