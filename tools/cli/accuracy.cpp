@@ -64,7 +64,7 @@ void add_accuracy(CLI::App& command, int& exit_code) {
   command.add_option("--seconds", arguments->choice.seconds, "no further round is begun after that many seconds")
       ->check(number_within(0, kMostSeconds))
       ->capture_default_str();
-  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
+  command.add_option("-o,--out", arguments->folder, "folder for the results, replaced as a whole at the end");
   command.footer(
       "Exit code 0: a setting was chosen; 3: none solves every pose within the target; 2: refused."
       "\nExample: genu accuracy knee.toml --target 0.01mm --out out/accuracy");

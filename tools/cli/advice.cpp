@@ -76,8 +76,9 @@ std::string advice_on(const Diagnostic& problem, const std::string& command) {
 std::string advice_on_status(const std::string& status) {
   static const std::map<std::string, std::string> by_status = {
       {"no_equilibrium",
-       "follow the step with `control = \"arc_length\"`, or give a `start` nearer to where the joint balances; check "
-       "the signs of the loads, and that something holds each motion that is not prescribed"},
+       "check the signs of the loads, and that something holds each motion that is not prescribed; give a `start` "
+       "nearer "
+       "to where the joint balances, or follow the step with `control = \"arc_length\"`"},
       {"over_edge", "extend the mesh or the `patch` where contact leaves it, or shorten the motion"},
       {"overlap",
        "check frames, units and outward sides (`inside`) of the surfaces, or give the joint another `start`"},

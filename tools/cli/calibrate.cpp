@@ -99,7 +99,7 @@ void add_calibrate(CLI::App& command, int& exit_code) {
   command.add_option("--most-iterations", arguments->choice.most_iterations, "stop after so many")
       ->check(CLI::Range(1, kMostIterations))
       ->capture_default_str();
-  command.add_option("--out", arguments->folder, "folder for the fitted scene and its results");
+  command.add_option("-o,--out", arguments->folder, "folder for the fitted scene and its results");
   add_changes(command, arguments->changes);
   command.footer(
       "Exit code 0: fitted; 3: not converged, a ligament is slack in every pose, or the target does not determine a "

@@ -43,7 +43,7 @@ void add_compare(CLI::App& command, int& exit_code) {
                   "folders written by genu run, or by genu sweep; the first is the reference")
       ->required()
       ->expected(2, kMostResults);
-  command.add_option("--out", arguments->file, "the page (HTML) to be written")->required();
+  command.add_option("-o,--out", arguments->file, "the page (HTML) to be written")->required();
   command.footer("Example: genu compare out/a out/b --out compared.html");
   command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }

@@ -109,7 +109,8 @@ void add_convert(CLI::App& command, int& exit_code) {
       .add_option("--to", arguments->to,
                   "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto")
       ->check(CLI::IsMember({"vtk", "opensim"}));
-  command.add_option("--out", arguments->options.out, "folder to be written; or FILE.mot, FILE.sto for one of these")
+  command
+      .add_option("-o,--out", arguments->options.out, "folder to be written; or FILE.mot, FILE.sto for one of these")
       ->required();
   command.add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
   command.add_option("--time", arguments->options.time,

@@ -99,7 +99,8 @@ void add_evaluate(CLI::App& command, int& exit_code) {
       .add_option("--poses", arguments->poses,
                   "table of poses: CSV with a row of names (results.csv of a run is one), or OpenSim's .sto or .mot")
       ->required();
-  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  command.add_option("-o,--out", arguments->folder, "folder for the results, replaced as a whole at the end")
+      ->required();
   command.add_option("--columns", arguments->columns.columns,
                      "which column is which coordinate, if the names differ: "
                      "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");

@@ -52,7 +52,7 @@ void add_export(CLI::App& command, int& exit_code) {
   ModelExport* const asked = &arguments->model;
   command.add_option("SCENE", asked->source.path, "scene file (TOML)")->required();
   command.add_flag("--osim", arguments->osim, "a model of OpenSim 4, with the elements of OpenSim-JAM")->required();
-  command.add_option("--out", asked->folder, "new folder for model.osim, export.csv, forces.sto and Geometry")
+  command.add_option("-o,--out", asked->folder, "new folder for model.osim, export.csv, forces.sto and Geometry")
       ->required()
       ->check(not_empty());
   command.add_option("--columns", asked->columns, "names of coordinates, \"knee.flexion=knee_angle_r, ...\"");

@@ -206,7 +206,7 @@ void add_fit(CLI::App& command, int& exit_code) {
   auto* mesh = command.add_option("MESH", options->mesh, "mesh file; its open sheets are the surfaces");
   auto* scene = command.add_option("--scene", options->scene, "scene whose meshes are fitted where contacts travel");
   mesh->excludes(scene);
-  command.add_option("--out", options->folder, "folder for the files, replaced as a whole")->required();
+  command.add_option("-o,--out", options->folder, "folder for the files, replaced as a whole")->required();
   command.add_option("--degree", options->degree, "total degree; chosen by cross-validation where not given")
       ->check(CLI::Range(kLowestFitDegree, kHighestFitDegree));
   command.add_option("--margin", options->margin, "with --scene: mm that patches go beyond the contacts")

@@ -93,7 +93,7 @@ void add_hard_cases(CLI::App& command, int& exit_code) {
   command.add_option("--family", arguments->family, "only this family")->check(not_empty());
   command.add_option("--case", arguments->name, "only this case: NAME or FAMILY/NAME")->check(not_empty());
   command.add_flag("--long", arguments->takes_long, "those too that take long");
-  command.add_option("--out", arguments->folder, "keep scene, meshes and results of each in DIR/FAMILY/NAME")
+  command.add_option("-o,--out", arguments->folder, "keep scene, meshes and results of each in DIR/FAMILY/NAME")
       ->check(not_empty());
   command.add_option("--safeguard", arguments->safeguard, "only the cases that fail without this safeguard")
       ->check(not_empty());

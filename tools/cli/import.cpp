@@ -80,7 +80,7 @@ void add_import(CLI::App& command, int& exit_code) {
   command.add_option("--row", import.row, "row of these files, from 1")->capture_default_str();
   command.add_option("--geometry", import.geometry,
                      "folder of the model's mesh files; else beside the model, or in Geometry there");
-  command.add_option("--out", import.folder, "new folder for scene.toml and import.csv")
+  command.add_option("-o,--out", import.folder, "new folder for scene.toml and import.csv")
       ->required()
       ->check(not_empty());
   command.footer(

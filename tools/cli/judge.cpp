@@ -84,7 +84,7 @@ void add_judge(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<JudgeArguments>();
   command.add_option("DIR", arguments->folder, "folder that `genu run` wrote")->required();
   command.add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
-  command.add_option("--out", arguments->out, "write the table of checks to this file: .json, or .csv");
+  command.add_option("-o,--out", arguments->out, "write the table of checks to this file: .json, or .csv");
   constexpr std::size_t kMostRows = 1'000'000;
   command
       .add_option("--every", arguments->options.every,

@@ -89,7 +89,7 @@ void add_laxity(CLI::App& command, int& exit_code) {
   command.add_flag("--envelope", arguments->envelope,
                    "hold the full loads while the knee bends from the smallest to the largest angle as well");
   add_changes(command, arguments->changes);
-  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
+  command.add_option("-o,--out", arguments->folder, "folder for the results, replaced as a whole at the end");
   command.add_flag("--quiet", arguments->quiet, "print the verdict only");
   command.footer(
       "Without --anterior, --varus and --internal all three tests are made with the loads above; with one of them only "

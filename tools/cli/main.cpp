@@ -48,9 +48,11 @@ constexpr char kFirst[] =
 /// "--out --quiet": the parser would take the second for the name of a folder.
 std::string name_forgotten(int argc, char** argv) {
   const std::vector<std::string> words(argv, argv + argc);
+  for (std::size_t i = 1; i < words.size(); ++i)
+    if (words[i] == "-out") return "genu: no option -out; did you mean --out or -o?";
   for (std::size_t i = 1; i + 1 < words.size(); ++i)
     for (const char* const option :
-         {"--out", "--save-failure", "--repair", "--table", "--scene", "--poses", "--target"})
+         {"-o", "--out", "--save-failure", "--repair", "--table", "--scene", "--poses", "--target"})
       if (words[i] == option && words[i + 1].starts_with("--"))
         return fmt::format("genu: {} names nothing: \"{}\" is an option", words[i], words[i + 1]);
   return {};

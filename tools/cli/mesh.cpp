@@ -188,7 +188,7 @@ void add_mesh(CLI::App& command, int& exit_code) {
       .add_option("--thickness", options->thickness,
                   "closes open surfaces: watertight solids so thick, behind the surface; closed ones stay")
       ->check(number_within(kSmallest, kLargest));
-  command.add_option("--out", options->folder, "folder for the files, made if need be")->required();
+  command.add_option("-o,--out", options->folder, "folder for the files, made if need be")->required();
   command.footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");
   command.callback([options, &exit_code] { exit_code = mesh_scene(*options); });
 }

@@ -1,6 +1,8 @@
 #include "registry.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
@@ -33,6 +35,15 @@ bool builds_nothing(const std::string& command) {
   return names.contains(command);
 }
 
+/// A range lets nan pass, which compares with nothing.
+void refuse_nan(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (option->get_type_name().find("FLOAT") != std::string::npos)
+      option->check([](const std::string& text) {
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? std::string("nan is no number") : std::string();
+      });
+}
+
 }  // namespace
 
 void add_commands(CLI::App& app, int& exit_code) {
@@ -47,6 +58,7 @@ void add_commands(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(commands[i].name, commands[i].purpose);
     command->group("");  // the list of `genu --help` is command_list()
     kAdd[i](*command, exit_code);
+    refuse_nan(*command);
     if (builds_nothing(commands[i].name)) continue;
     command->add_flag_callback(
         "--no-cache", [] { use_user_cache(false); },

@@ -90,7 +90,7 @@ int reproduce_file(const std::string& file, const std::string& asked) {
 void add_reproduce(CLI::App& command, int& exit_code) {
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   command.add_option("FILE", *file, "what --save-failure has written")->required();
-  command.add_option("--out", *folder, "new folder to unpack the scene into, and leave it there");
+  command.add_option("-o,--out", *folder, "new folder to unpack the scene into, and leave it there");
   command.footer("Examples: genu run SCENE --out DIR --save-failure FILE\n          genu reproduce FILE");
   advice().hint("reproduce", "compare the two verdicts above: another build, machine or mesh may be why");
   command.callback([file, folder, &exit_code] { exit_code = reproduce_file(*file, *folder); });

@@ -123,7 +123,8 @@ void print_summary(const RunSummary& summary) {
 /// Where results go that have no --out: out/knee for knee.toml; out/lenhart2015-cartilage for
 /// lenhart2015/scene-cartilage.toml.
 std::string usual_folder(const std::string& scene) {
-  const std::filesystem::path file = std::filesystem::absolute(scene).lexically_normal();
+  std::error_code none;
+  const std::filesystem::path file = std::filesystem::absolute(scene, none).lexically_normal();
   std::string name = file.stem().string();
   const std::string folder = file.parent_path().filename().string();
   if (name.starts_with("scene") && !folder.empty()) name = folder + name.substr(std::string("scene").size());
@@ -275,7 +276,7 @@ void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   CLI::Option* out = command.add_option(
-      "--out", arguments->folder,
+      "-o,--out", arguments->folder,
       "folder for the results, replaced as a whole at the end; left out: out/SCENE, if nothing is changed");
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =

@@ -159,7 +159,7 @@ void add_segment(CLI::App& command, int& exit_code) {
       "--above", options->text.above,
       "surface of the scene that the pieces' upper sides touch; up is the axis, toward + of its largest part");
   command.add_option("--below", options->text.below, "that their lower sides touch");
-  command.add_option("--out", options->folder, "folder for the pieces and NAME.toml, made if need be")
+  command.add_option("-o,--out", options->folder, "folder for the pieces and NAME.toml, made if need be")
       ->required()
       ->check(not_empty());
   command.footer(

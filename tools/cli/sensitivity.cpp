@@ -63,7 +63,7 @@ void add_sensitivity(CLI::App& command, int& exit_code) {
                   "femur.offset, push.force.z, knee.flexion; * and ? stand for letters, or \"all\"")
       ->required()
       ->delimiter(',');
-  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
+  command.add_option("-o,--out", arguments->folder, "folder for the results, replaced as a whole at the end");
   command.add_option("--top", arguments->choice.most, "how many parameters to print for each output")
       ->check(CLI::Range(1, kMostPrinted))
       ->capture_default_str();

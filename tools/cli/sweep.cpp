@@ -250,7 +250,7 @@ void add_sweep(CLI::App& command, int& exit_code) {
                   "study file (TOML; genu explain sweep); or missing, merge or submit, and the folder of a sweep")
       ->required()
       ->expected(1, 2);
-  command.add_option("--out", arguments->folder, "folder for the results; a sweep that was stopped there continues");
+  command.add_option("-o,--out", arguments->folder, "folder for the results; a sweep that was stopped there continues");
   command.add_option("--shard", arguments->shard, "K/N: the K-th of N parts alone, into one file; K counts from 1")
       ->check(not_empty());
   command.add_option("--threads", arguments->threads, "at most so many; 0: as many as the machine has")
