@@ -60,6 +60,16 @@ TEST(MeasuredThickness, MissingBoneAndBoneThatStandsOut) {
   EXPECT_NE(missing.find("up to 4.0 mm away at (10.0, -10.0, 1000.0) mm"), std::string::npos) << missing;
   EXPECT_NE(thin.find("thinner than 0.5 mm at 36 of 121 vertices (29.8 %)"), std::string::npos) << thin;
   EXPECT_NE(thin.find("bone stands out by 0.30 mm at (-8.0, "), std::string::npos) << thin;
+  EXPECT_EQ(thin.find("outward side"), std::string::npos) << thin;
+}
+
+TEST(MeasuredThickness, BoneOutsideNearlyEverywhereAsksForTheOutwardSide) {
+  Diagnostics out;
+  std::shared_ptr<const ThicknessField> field;
+  EXPECT_TRUE(thickness_on(scene_with_bone(), bone(-2e-3, 12e-3), 0, test::sheet(10e-3, 10), field, out));
+  ASSERT_EQ(out.items().size(), 1u);
+  EXPECT_NE(out.items()[0].rule.find("does its outward side face away from the bone (`inside`)"), std::string::npos)
+      << out.items()[0].rule;
 }
 
 TEST(MeasuredThickness, NoBoneIsRefused) {

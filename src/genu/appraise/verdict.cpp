@@ -121,9 +121,15 @@ bool raises_a_load(const Prepared& prepared, int step) {
   return std::any_of(factors.begin(), factors.end(), [](const auto& f) { return std::abs(f.to) > std::abs(f.from); });
 }
 
+/// What follows a path past the place where it turns back.
+std::string past_a_turn(const Target& target) {
+  return fmt::format("Prescribe {} coordinate from there on, or use control = \"arc_length\".",
+                     target.prescribed.empty() ? "a" : "another");
+}
+
 /// What the user can do about a pose that was not found.
 std::string advice_without_pose(const Prepared& prepared, const PosePoint& point, bool first, bool turned_back) {
-  if (turned_back) return "Prescribe another coordinate from there on, or control the step by arc length.";
+  if (turned_back) return past_a_turn(point.target);
   const auto& surfaces = prepared.scene.surfaces;
   const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
                                   [](const SurfaceDef& s) { return s.shape == SurfaceDef::Shape::mesh; });
@@ -333,7 +339,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::turns_back)
       out.push_back(fmt::format("The path turns back at {}{} (limit point): no equilibrium lies beyond.{}",
                                 place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e)),
-                                e.step == 0 ? "" : " Prescribe another coordinate, or use control = \"arc_length\"."));
+                                e.step == 0 ? "" : " " + past_a_turn(e.target)));
     if (e.kind == PathEvent::Kind::limit_point)
       out.push_back(fmt::format("Limit point at {}{}: the path turns back and is {}.",
                                 place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e)),

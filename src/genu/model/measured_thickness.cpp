@@ -42,12 +42,15 @@ void warn(const PlacedScene& scene, const SurfaceDef& surface, const BoneReport&
   if (report.thin > 0)
     say(scene, surface, Diagnostic::Severity::warning,
         fmt::format("cartilage is thinner than {:.3g} mm at {} of {} vertices ({:.1f} %) and counts as that thick; {} "
-                    "at {}",
+                    "at {}{}",
                     to::kMillimetre * asked.least, report.thin, report.vertices, percent(report.thin),
                     report.thinnest < 0
                         ? fmt::format("bone stands out by {:.2f} mm", -to::kMillimetre * report.thinnest)
                         : fmt::format("it is {:.2f} mm", to::kMillimetre * report.thinnest),
-                    place(scene, surface, report.thinnest_place)),
+                    place(scene, surface, report.thinnest_place),
+                    2 * report.thin > report.vertices
+                        ? ": does its outward side face away from the bone (`inside`), and are both in one frame?"
+                        : ""),
         out);
 }
 
