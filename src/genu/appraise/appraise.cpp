@@ -14,6 +14,7 @@
 #include "genu/appraise/patella.h"
 #include "genu/appraise/place.h"
 #include "genu/appraise/unstable.h"
+#include "genu/appraise/untouched.h"
 #include "genu/appraise/verdict.h"
 #include "genu/core/timer.h"
 
@@ -43,6 +44,7 @@ std::vector<std::string> doubts_of(const Prepared& prepared, const Solved& solve
   add(unstable_sentences(prepared, solved.records));
   add(barely_held_sentences(prepared, solved.records, poses));
   add(implausible(prepared, solved.records, poses));
+  if (needs_contact(prepared)) add(untouched_sentences(prepared, solved.records, poses));
   return doubts;
 }
 
@@ -78,6 +80,9 @@ RunSummary appraise(const Prepared& prepared, const Solved& solved, const Result
   const auto add = [&](std::vector<std::string> sentences) {
     s.verdict.insert(s.verdict.end(), sentences.begin(), sentences.end());
   };
+  if (!needs_contact(prepared))
+    for (const std::string& sentence : untouched_sentences(prepared, solved.records, poses))
+      s.verdict.push_back(as_sentence(sentence));
   add(layer_sentences(prepared.scene, prepared.model, poses));
   say_layer_doubts(prepared, solved.records, s.verdict);
   s.hertz = hertz_checks(prepared, solved.records, poses);

@@ -66,11 +66,6 @@ class Implausible {
         pressure.see(units::kMegapascal * number(row, layer.pair.name + ".max_pressure_MPa"), row, layer.pair.name);
     }
     const double loads = largest_load(records);
-    const bool any = !prepared_.scene.contacts.empty() || !prepared_.scene.layers.empty();
-    if (any && loads > 0 && !(force.value > 0) && first_solved(records))
-      out_.emplace_back(
-          "no contact bears any load at any pose: check the frames of the meshes and that a load presses them "
-          "together");
     if (loads > 0 && force.value > limits_.contact_force * loads)
       say("the force of contact {} reaches {:.3g} times all loads", force, 1 / loads, "limit {:g} times",
           limits_.contact_force, 1);
