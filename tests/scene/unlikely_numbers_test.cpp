@@ -96,6 +96,16 @@ TEST(UnlikelyNumbers, ModulusOfALayerInPaOrGPa) {
   for (const char* sound : {"0.3", "5", "1000", "4000"}) EXPECT_EQ(said_of_modulus(sound), "") << sound;
 }
 
+TEST(UnlikelyNumbers, ThicknessOfALayerInAnotherUnit) {
+  const auto said_of_thickness = [](const std::string& thickness) {
+    return said(edited("model = \"rigid\"", "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = " +
+                                                thickness + "\nquadrature = \"triangles\""));
+  };
+  EXPECT_TRUE(has(said_of_thickness("4000"), "thickness = 4000: is 4e+03 mm, where cartilage has 1 to 6 mm"));
+  EXPECT_TRUE(has(said_of_thickness("0.004"), "is 0.004 mm"));
+  for (const char* sound : {"0.2", "4", "12"}) EXPECT_EQ(said_of_thickness(sound), "") << sound;
+}
+
 TEST(UnlikelyNumbers, AnglesBeyondATurn) {
   const std::string in_rad = said(edited("angle = \"deg\"", "angle = \"rad\""));
   EXPECT_TRUE(has(in_rad, "turns, as units.angle is \"rad\": was \"deg\" meant?")) << in_rad;

@@ -106,7 +106,6 @@ void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
 void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   const NumberRule modulus{.unit = 1e6, .unit_name = "MPa", .above = 0, .at_least = {}};
   layer.modulus = read_number(context, section.require("modulus"), modulus).value_or(0);
-  warn_unlikely(context, section, layer);
   const Item poisson = section.require("poisson");
   const auto nu = read_number(context, poisson, {.unit = 1, .unit_name = {}, .above = {}, .at_least = 0});
   if (nu && *nu >= 0.5)
@@ -114,6 +113,7 @@ void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
            "must be < 0.5: a layer that cannot be compressed carries any pressure");
   layer.poisson = nu.value_or(0);
   read_layer_thickness(context, section, layer);
+  warn_unlikely(context, section, layer);
   if (const Item law = section.find("law"))
     layer.law = static_cast<LayerDef::Law>(read_choice(context, law, {"linear", "logarithmic"}).value_or(0));
   read_quadrature(context, section, layer);

@@ -127,14 +127,26 @@ void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& sur
   }
 }
 
-void warn_unlikely(ReadContext& context, Section& section, const LayerDef& layer) {
+namespace {
+
+void warn_modulus(ReadContext& context, const Item& item, double modulus) {
   constexpr double kCartilage = 5e6;  // Pa
-  const bool sound = layer.modulus >= kLikelyMinModulus && layer.modulus <= kLikelyMaxModulus;
-  if (sound || !(layer.modulus > 0)) return;
-  const Item item = section.find("modulus");
+  if (!(modulus > 0) || (modulus >= kLikelyMinModulus && modulus <= kLikelyMaxModulus)) return;
   warn(context, item,
-       fmt::format("is {:.3g} MPa, where cartilage has 1 to 20 MPa and polyethylene about 1000{}", 1e-6 * layer.modulus,
-                   meant(item.node->number, kCartilage / layer.modulus)));
+       fmt::format("is {:.3g} MPa, where cartilage has 1 to 20 MPa and polyethylene about 1000{}", 1e-6 * modulus,
+                   meant(item.node->number, kCartilage / modulus)));
+}
+
+void warn_thickness(ReadContext& context, const Item& item, double thickness) {
+  if (!(thickness > 0) || (thickness >= kLikelyMinThickness && thickness <= kLikelyMaxThickness)) return;
+  warn(context, item, fmt::format("is {:.3g} mm, where cartilage has 1 to 6 mm", to::kMillimetre * thickness));
+}
+
+}  // namespace
+
+void warn_unlikely(ReadContext& context, Section& section, const LayerDef& layer) {
+  if (section.has("modulus")) warn_modulus(context, section.find("modulus"), layer.modulus);
+  if (section.has("thickness")) warn_thickness(context, section.find("thickness"), layer.thickness);
 }
 
 }  // namespace genu
