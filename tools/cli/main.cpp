@@ -49,7 +49,8 @@ constexpr char kFirst[] =
 std::string name_forgotten(int argc, char** argv) {
   const std::vector<std::string> words(argv, argv + argc);
   for (std::size_t i = 1; i < words.size(); ++i)
-    if (words[i] == "-out") return "genu: no option -out; did you mean --out or -o?";
+    if (words[i].starts_with("-o") && words[i].size() > 2)
+      return fmt::format("genu: no option {}; did you mean --out FOLDER, or -o FOLDER?", words[i]);
   for (std::size_t i = 1; i + 1 < words.size(); ++i)
     for (const char* const option :
          {"-o", "--out", "--save-failure", "--repair", "--table", "--scene", "--poses", "--target"})

@@ -8,10 +8,9 @@ namespace genu {
 
 // barely_held
 
-/// [1] Stiffness that a ripple of a layer's force makes, over its tolerance times force times size of the joint:
-/// ripples are that much shorter than the joint. Fails first: if too small, free motions pass as held; if too large,
-/// soft joints are doubted.
-inline constexpr double kRippleStiffness = 10;
+/// [1] Stiffness of the softest motion over force of the layers times length scale, below which it is hardly any. Fails
+/// first: if too small, motions that are free but for an error pass as held; if too large, soft joints are doubted.
+inline constexpr double kHardlyAnyStiffness = 5e-4;
 
 // contact_location
 

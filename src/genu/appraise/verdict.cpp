@@ -50,6 +50,7 @@ std::string new_branch(const Prepared& prepared, const std::vector<PathEvent>& e
 /// "largest 6.68862099 Nm" of a table as "a local maximum of 6.689 Nm".
 std::string turn_in_words(const std::string& words) {
   const std::size_t begin = words.find(' ') + 1, end = words.rfind(' ');
+  if (end == std::string::npos) return words;
   const double value = std::strtod(words.c_str() + begin, nullptr);
   return fmt::format("a local {} of {:.4g}{}", words.starts_with("largest") ? "maximum" : "minimum", value,
                      words.substr(end));

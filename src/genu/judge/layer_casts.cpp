@@ -11,14 +11,16 @@ namespace {
 /// Share of a square sample of this side about x, with normal n, that lies in the region.
 double share_in(const RegionDef& region, const Vec3& x, const Vec3& n, double side) {
   using C = RegionDef::Comparison;
-  double share = 1;
+  Vec3 above = Vec3::Ones(), below = Vec3::Ones();  // shares beyond the conditions of each axis
   for (const auto& c : region.conditions) {
     const double width = side * std::sqrt(std::max(0.0, 1 - n[c.axis] * n[c.axis]));
-    const double above = x[c.axis] - c.value;
-    const double inward = c.comparison == C::less || c.comparison == C::less_equal ? -above : above;
-    share *= width > 0 ? std::clamp(0.5 + inward / width, 0.0, 1.0) : (inward >= 0 ? 1.0 : 0.0);
+    const bool upper = c.comparison == C::less || c.comparison == C::less_equal;
+    const double inward = upper ? c.value - x[c.axis] : x[c.axis] - c.value;
+    const double share = width > 0 ? std::clamp(0.5 + inward / width, 0.0, 1.0) : (inward >= 0 ? 1.0 : 0.0);
+    double& least = upper ? below[c.axis] : above[c.axis];
+    least = std::min(least, share);
   }
-  return share;
+  return (above + below - Vec3::Ones()).cwiseMax(0).prod();
 }
 
 /// Leaves out triangles, all within `radius` (m) of their middle, where clear(middle, normal, radius).

@@ -134,8 +134,9 @@ class JudgedLayer {
     double load = 0, area = 0, most = 0;  ///< N, m^2, Pa
   };
   /// What may be on the wrong side where the border of a region passes through the contact or beside it: a row of
-  /// samples across the whole contact, the solver's or the judge's. Where samples are divided there, it is what changes
-  /// across the row, and samples at both of its ends; but the largest pressure changes as across a row.
+  /// samples across the whole contact, the solver's or the judge's. Where samples are divided there, it is a quarter of
+  /// the row (the solver divides by squares as wide as its nodes), what changes across it, and samples at both of its
+  /// ends; but the largest pressure changes as across a row.
   Row row_at_border(const Ways& ways, const Resultant& region) const {
     if (region_ == nullptr || (region.points > 0 && !(region.outside > 0))) return {};
     Resultant whole;
@@ -146,7 +147,8 @@ class JudgedLayer {
     const double samples = std::min(whole.fineness(), pose_.row(layer_.pair.name + ".points"));
     const double share = 2 / std::sqrt(std::max(1.0, samples));
     const bool divided = layer_.quadrature == LayerDef::Quadrature::smooth;
-    const double of_load = divided ? 0.5 * share * share : share, of_area = divided ? share * share : share;
+    const double of_load = divided ? share / 4 + share * share / 2 : share,
+                 of_area = divided ? share / 2 + share * share : share;
     return {of_load * whole.load, of_area * whole.area, share * whole.most};
   }
 

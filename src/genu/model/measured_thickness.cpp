@@ -48,7 +48,7 @@ void warn(const PlacedScene& scene, const SurfaceDef& surface, const BoneReport&
                         ? fmt::format("bone stands out by {:.2f} mm", -to::kMillimetre * report.thinnest)
                         : fmt::format("it is {:.2f} mm", to::kMillimetre * report.thinnest),
                     place(scene, surface, report.thinnest_place),
-                    2 * report.thin > report.vertices
+                    2 * report.thin > report.vertices && report.thinnest < 0
                         ? ": does its outward side face away from the bone (`inside`), and are both in one frame?"
                         : ""),
         out);

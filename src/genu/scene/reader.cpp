@@ -143,7 +143,8 @@ std::optional<Scene> scene_of(const TomlNode& document, const std::string& path,
   Scene scene;
   scene.file = path;
   ReadContext context(path, found, scene);
-  for (const std::string& name : at_hand) context.at_hand.push_back(context.file_called(name));
+  for (const std::string& name : at_hand)
+    context.at_hand.insert(context.at_hand.end(), {name, context.file_called(name)});
   Section root(context, {&document, ""}, "a scene");
   context.in_motion = root.has("dynamics");
   read_header(context, root);

@@ -16,7 +16,7 @@ namespace genu {
 /// the file. Never throws for a missing, unreadable, oversized or malformed file.
 [[nodiscard]] std::optional<Scene> read_scene(const std::string& path, Diagnostics& out);
 
-/// Mesh files, as a scene names them, that need not exist: their triangles are at hand.
+/// Mesh files, as a scene names them or as they would be opened, that need not exist: their triangles are at hand.
 using MeshesAtHand = std::vector<std::string>;
 
 /// The same through `files`, which others may read too.

@@ -91,10 +91,11 @@ using GridCell = std::pair<long, long>;
 /// The furthest that a mesh reaches in the direction `way`, in each cell of a grid across it.
 std::map<GridCell, double> furthest_in_cells(const Mesh& mesh, const KneeLayout& knee, const Vec3& way, double cell) {
   std::map<GridCell, double> out;
+  auto last = out.end();  // most points lie in the cell of the one before
   const auto add = [&](const Vec3& p) {
     const GridCell at{std::lround(p.dot(knee.right) / cell), std::lround(p.dot(knee.anterior) / cell)};
-    const auto [it, fresh] = out.emplace(at, p.dot(way));
-    if (!fresh) it->second = std::max(it->second, p.dot(way));
+    if (last == out.end() || last->first != at) last = out.try_emplace(at, p.dot(way)).first;
+    last->second = std::max(last->second, p.dot(way));
   };
   // Triangles larger than a cell would leave cells empty: each is filled with points no further apart than one.
   for (const auto& t : mesh.triangles) {

@@ -119,7 +119,7 @@ std::string options_of(const SceneChanges& changes) {
 
 /// What its scene was warned of, as sentences of the verdict: a report outlives what was printed. The layout of the
 /// bones decides what angles mean and is said in full.
-std::vector<std::string> warned_of(const std::string& scene, const Diagnostics& out) {
+std::vector<std::string> warned_of(const std::string& scene, const SceneChanges& changes, const Diagnostics& out) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> sentences, keys;
   std::size_t others = 0;
@@ -134,9 +134,9 @@ std::vector<std::string> warned_of(const std::string& scene, const Diagnostics& 
   }
   if (others == 0) return sentences;
   if (keys.size() > kNamed) keys.back() = "...";
-  sentences.push_back(fmt::format("The scene has {} ({}): `genu check` says what they are.",
+  sentences.push_back(fmt::format("The scene has {} ({}): `genu check{}` says what they are.",
                                   counted(others, sentences.empty() ? "warning" : "more warning"),
-                                  fmt::join(keys, ", ")));
+                                  fmt::join(keys, ", "), options_of(changes)));
   return sentences;
 }
 
@@ -203,7 +203,7 @@ int run_scene(const SceneSource& source, const std::string& folder, const RunOpt
     return kExitRefused;
   }
   warn_about_anatomy(*prepared, out);
-  const std::vector<std::string> warned = warned_of(prepared->scene.file, out);
+  const std::vector<std::string> warned = warned_of(prepared->scene.file, source.changes, out);
   auto beside_tables = beside_of(*prepared, options, out);
   if (!beside_tables || holds_others(folder, options, out)) return kExitRefused;
   auto inputs = input_hashes(prepared->scene, prepared->meshes->files());
