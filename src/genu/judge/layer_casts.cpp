@@ -27,7 +27,7 @@ double share_in(const RegionDef& region, const Vec3& x, const Vec3& n, double si
 template <typename Clear, typename Add>
 void each_triangle(const Facets& facets, int fine, Clear clear, Add add) {
   for (int t = 0; t < static_cast<int>(facets.triangles().size()); ++t) {
-    const Vec3 area = facets.area(t);
+    const Vec3& area = facets.area(t);
     const double size = area.norm();
     if (!(size > 0) || !facets.in_patch(facets.centroid(t))) continue;
     const auto& c = facets.triangles()[at(t)];
