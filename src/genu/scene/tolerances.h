@@ -159,8 +159,8 @@ inline constexpr double kLikelyMinModulus = 2e4;
 /// [m] Largest radius that is no mistake of the unit. Fails first: if too small, a nearly flat dish gets a warning.
 inline constexpr double kLikelyMaxRadius = 3;
 
-/// [m] Largest thickness of a layer that is no mistake of the unit (implants: 15 mm). Fails first: if too small, a thick
-/// insert gets a warning.
+/// [m] Largest thickness of a layer that is no mistake of the unit (implants: 15 mm). Fails first: if too small, a
+/// thick insert gets a warning.
 inline constexpr double kLikelyMaxThickness = 0.03;
 
 /// [m] Smallest thickness of a layer that is no mistake of the unit. Fails first: if too large, a finger's cartilage
