@@ -50,11 +50,10 @@ std::string softest_motion(const Prepared& prepared, const PosePoint& point) {
   Stability softest = point.stability;
   softest.neutral = point.stability.mode;
   softest.redundant.clear();
-  std::string names;
-  const auto moves = find_undetermined(prepared.model, point.pose.state, point.target, softest).free_motion;
-  for (std::size_t k = 0; k < moves.size(); ++k)
-    names += (k == 0 ? "" : k + 1 == moves.size() ? " and " : ", ") + coordinate_name(prepared.scene, moves[k]);
-  return names;
+  std::vector<std::string> names;
+  for (const CoordinateRef& c : find_undetermined(prepared.model, point.pose.state, point.target, softest).free_motion)
+    names.push_back(coordinate_name(prepared.scene, c));
+  return joined_with_and(names);
 }
 
 }  // namespace

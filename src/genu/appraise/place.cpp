@@ -54,6 +54,13 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
   return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
 }
 
+std::string joined_with_and(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return out;
+}
+
 std::string as_sentence(std::string words) {
   words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
   return words + ".";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "genu/assemble/prepare.h"
 
@@ -13,5 +14,8 @@ std::string place(const Prepared& prepared, int step, const Target& target);
 
 /// With a capital and a full stop.
 std::string as_sentence(std::string words);
+
+/// "a", "a and b", "a, b and c"
+std::string joined_with_and(const std::vector<std::string>& names);
 
 }  // namespace genu

@@ -71,13 +71,6 @@ void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& 
                   more == 0 ? "" : fmt::format(" See events.csv for {} more.", more)));
 }
 
-std::string joined_with_and(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return out;
-}
-
 /// The free motions and the statically indeterminate forces, by name.
 std::string undetermined(const Prepared& prepared, const PosePoint& point) {
   const Undetermined& u = point.undetermined;
